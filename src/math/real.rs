@@ -1,0 +1,165 @@
+//! The scalar that everything is computed in.
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use super::square_root;
+
+/// A scalar number type.
+///
+/// `f32` is the default. It uses `libm` and the correctly rounded square root, so it gives the same bits on every
+/// instruction set. `f64` runs the same code with more digits, to show what `f32` costs in accuracy.
+pub trait Real:
+    Copy
+    + Debug
+    + Default
+    + PartialEq
+    + PartialOrd
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + 'static
+{
+    /// 0
+    const ZERO: Self;
+    /// 1/2
+    const HALF: Self;
+    /// 1
+    const ONE: Self;
+    /// 2
+    const TWO: Self;
+    /// The largest finite value: the length of a ray that nothing stops.
+    const MAX: Self;
+    /// The unit roundoff u: the largest relative error of one correctly rounded operation (2⁻²⁴ for `f32`).
+    const ROUNDOFF: Self;
+
+    /// The nearest value to `x`.
+    fn from_f32(x: f32) -> Self;
+    /// The nearest `f32`.
+    fn to_f32(self) -> f32;
+    /// The nearest value to `x`.
+    fn from_u32(x: u32) -> Self;
+    /// √x, correctly rounded for the floating-point types; `x ≥ 0`.
+    fn sqrt(self) -> Self;
+    /// eˣ
+    fn exp(self) -> Self;
+    /// xʸ for `x ≥ 0`.
+    fn powf(self, y: Self) -> Self;
+    /// The largest integer that is not above x.
+    fn floor(self) -> Self;
+
+    /// |x|
+    #[inline]
+    fn abs(self) -> Self {
+        if self < Self::ZERO { -self } else { self }
+    }
+
+    /// The smaller of the two; `other` when they do not compare.
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+
+    /// The larger of the two; `other` when they do not compare.
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    /// xⁿ by repeated squaring: at most 2·log₂ n multiplications.
+    #[inline]
+    fn powi(self, exponent: u32) -> Self {
+        let mut result = Self::ONE;
+        let mut square = self;
+        let mut rest = exponent;
+        while rest > 0 {
+            if rest & 1 == 1 {
+                result *= square;
+            }
+            square *= square;
+            rest >>= 1;
+        }
+        result
+    }
+}
+
+impl Real for f32 {
+    const ZERO: Self = 0.0;
+    const HALF: Self = 0.5;
+    const ONE: Self = 1.0;
+    const TWO: Self = 2.0;
+    const MAX: Self = f32::MAX;
+    const ROUNDOFF: Self = f32::EPSILON / 2.0;
+
+    #[inline]
+    fn from_f32(x: f32) -> Self {
+        x
+    }
+    #[inline]
+    fn to_f32(self) -> f32 {
+        self
+    }
+    #[inline]
+    fn from_u32(x: u32) -> Self {
+        x as f32
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        square_root::f32(self)
+    }
+    #[inline]
+    fn exp(self) -> Self {
+        libm::expf(self)
+    }
+    #[inline]
+    fn powf(self, y: Self) -> Self {
+        libm::powf(self, y)
+    }
+    #[inline]
+    fn floor(self) -> Self {
+        libm::floorf(self)
+    }
+}
+
+impl Real for f64 {
+    const ZERO: Self = 0.0;
+    const HALF: Self = 0.5;
+    const ONE: Self = 1.0;
+    const TWO: Self = 2.0;
+    const MAX: Self = f64::MAX;
+    const ROUNDOFF: Self = f64::EPSILON / 2.0;
+
+    #[inline]
+    fn from_f32(x: f32) -> Self {
+        f64::from(x)
+    }
+    #[inline]
+    fn to_f32(self) -> f32 {
+        self as f32
+    }
+    #[inline]
+    fn from_u32(x: u32) -> Self {
+        f64::from(x)
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        square_root::f64(self)
+    }
+    #[inline]
+    fn exp(self) -> Self {
+        libm::exp(self)
+    }
+    #[inline]
+    fn powf(self, y: Self) -> Self {
+        libm::pow(self, y)
+    }
+    #[inline]
+    fn floor(self) -> Self {
+        libm::floor(self)
+    }
+}

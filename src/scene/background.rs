@@ -1,0 +1,40 @@
+//! What a ray sees that meets nothing.
+
+use crate::math::{Real, Rgb, Vec3};
+
+/// The light that arrives from far away, by direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Background<T> {
+    /// The same from everywhere.
+    Solid(Rgb<T>),
+    /// From `below` to `above`, linear in the cosine of the angle from `up`.
+    Gradient {
+        /// Straight down.
+        below: Rgb<T>,
+        /// Straight up.
+        above: Rgb<T>,
+        /// Unit vector.
+        up: Vec3<T>,
+    },
+    /// colour · (1 − d·up)⁴ for the direction d: bright at the horizon, dark above; the sky of Andrew Kensler's
+    /// business-card tracer.
+    Sky {
+        /// At the horizon.
+        horizon: Rgb<T>,
+        /// Unit vector.
+        up: Vec3<T>,
+    },
+}
+
+impl<T: Real> Background<T> {
+    /// The same background in another number type.
+    pub(crate) fn map<U: Real>(&self, f: impl Fn(T) -> U) -> Background<U> {
+        match *self {
+            Self::Solid(color) => Background::Solid(color.map(f)),
+            Self::Gradient { below, above, up } => {
+                Background::Gradient { below: below.map(&f), above: above.map(&f), up: up.map(&f) }
+            }
+            Self::Sky { horizon, up } => Background::Sky { horizon: horizon.map(&f), up: up.map(&f) },
+        }
+    }
+}

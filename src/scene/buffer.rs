@@ -1,0 +1,128 @@
+//! A scene that is made at run time, in fixed memory.
+
+use core::fmt;
+
+use heapless::Vec;
+
+use super::{Background, Camera, Light, Object, Scene, Tone};
+use crate::math::Real;
+
+/// A scene with room for `OBJECTS` objects and `LIGHTS` lights.
+///
+/// ```
+/// use whit::{Background, Camera, Light, Material, Object, Rgb, SceneBuf, Shape, Vec3};
+/// let camera = Camera::look_at(Vec3::new(0.0, 1.0, 5.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 40.0);
+/// let mut buffer = SceneBuf::<f32, 8, 2>::new(camera, Background::Solid(Rgb::grey(0.5)));
+/// for i in 0..5 {
+///     let center = Vec3::new(i as f32 - 2.0, 0.0, 0.0);
+///     buffer.add_object(Object::new(Shape::sphere(center, 0.4), Material::mirror(Rgb::grey(0.9))))?;
+/// }
+/// buffer.add_light(Light::point(Vec3::new(3.0, 5.0, 4.0), Rgb::WHITE))?;
+/// assert_eq!(buffer.as_scene().objects.len(), 5);
+/// # Ok::<(), whit::scene::Full>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SceneBuf<T: 'static, const OBJECTS: usize, const LIGHTS: usize> {
+    /// The eye.
+    pub camera: Camera<T>,
+    /// What rays see that meet nothing.
+    pub background: Background<T>,
+    /// Index of refraction between the objects.
+    pub index: T,
+    /// From light to the values of pixels.
+    pub tone: Tone<T>,
+    objects: Vec<Object<'static, T>, OBJECTS>,
+    lights: Vec<Light<T>, LIGHTS>,
+}
+
+/// There is no room left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Full {
+    /// What there is no room for.
+    pub what: &'static str,
+    /// How many there is room for.
+    pub capacity: usize,
+}
+
+impl fmt::Display for Full {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "no room for another {}: the capacity is {}", self.what, self.capacity)
+    }
+}
+
+impl core::error::Error for Full {}
+
+impl<T: Real, const OBJECTS: usize, const LIGHTS: usize> SceneBuf<T, OBJECTS, LIGHTS> {
+    /// An empty scene in a vacuum.
+    pub const fn new(camera: Camera<T>, background: Background<T>) -> Self {
+        Self { camera, background, index: T::ONE, tone: Tone::Linear, objects: Vec::new(), lights: Vec::new() }
+    }
+
+    /// A copy of a scene in another number type, each primitive of a slice an object of its own.
+    ///
+    /// # Errors
+    /// [`Full`] when the scene has more primitives or lights than there is room for.
+    pub fn from_scene<U: Real>(scene: &Scene<'_, U>, convert: impl Fn(U) -> T) -> Result<Self, Full> {
+        let mut buffer = Self::new(scene.camera.map(&convert), scene.background.map(&convert));
+        buffer.index = convert(scene.index);
+        buffer.tone = scene.tone.map(&convert);
+        for object in scene.objects {
+            let mut index = 0;
+            while let Some(part) = object.part(index, &convert) {
+                buffer.add_object(part)?;
+                index += 1;
+            }
+        }
+        for light in scene.lights {
+            buffer.add_light(light.map(&convert))?;
+        }
+        Ok(buffer)
+    }
+
+    /// Adds an object.
+    ///
+    /// # Errors
+    /// [`Full`]; the buffer is as before.
+    pub fn add_object(&mut self, object: Object<'static, T>) -> Result<(), Full> {
+        self.objects.push(object).map_err(|_| Full { what: "object", capacity: OBJECTS })
+    }
+
+    /// Adds a light.
+    ///
+    /// # Errors
+    /// [`Full`]; the buffer is as before.
+    pub fn add_light(&mut self, light: Light<T>) -> Result<(), Full> {
+        self.lights.push(light).map_err(|_| Full { what: "light", capacity: LIGHTS })
+    }
+
+    /// Takes all objects and lights out.
+    pub fn clear(&mut self) {
+        self.objects.clear();
+        self.lights.clear();
+    }
+
+    /// The objects.
+    #[must_use]
+    pub fn objects_mut(&mut self) -> &mut [Object<'static, T>] {
+        &mut self.objects
+    }
+
+    /// The lights.
+    #[must_use]
+    pub fn lights_mut(&mut self) -> &mut [Light<T>] {
+        &mut self.lights
+    }
+
+    /// The scene, ready to be traced.
+    #[must_use]
+    pub fn as_scene(&self) -> Scene<'_, T> {
+        Scene {
+            camera: self.camera,
+            background: self.background,
+            index: self.index,
+            objects: &self.objects,
+            lights: &self.lights,
+            tone: self.tone,
+        }
+    }
+}

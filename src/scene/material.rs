@@ -1,0 +1,179 @@
+//! What light does at a surface.
+
+use super::Pattern;
+use crate::math::{Real, Rgb};
+
+/// How a surface looks: a diffuse body, a highlight and an interface, each of which may be missing.
+///
+/// ```
+/// use whit::{Material, Rgb};
+/// const RED_PLASTIC: Material<f32> = Material::matte(Rgb::new(0.8, 0.1, 0.1)).with_highlight(Rgb::grey(0.4), 50);
+/// const GLASS: Material<f32> = Material::dielectric(1.5);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material<T> {
+    /// Diffuse body.
+    pub body: Option<Body<T>>,
+    /// Mirror image of the lights.
+    pub highlight: Option<Highlight<T>>,
+    /// Whether branches of light are reflected and transmitted, and how much.
+    pub interface: Interface<T>,
+}
+
+/// The part of a material that has a colour of its own.
+///
+/// It shows colour · (emission + Σ L·(ambient + diffuse·max(0, N·ω))), the sum taken over the lights that are visible
+/// from the point. Ambient light comes from a light and vanishes in its shadow; emission does not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body<T> {
+    /// Colour.
+    pub color: Pattern<T>,
+    /// Share of the colour that is seen without any light.
+    pub emission: T,
+    /// k_a
+    pub ambient: T,
+    /// k_d
+    pub diffuse: T,
+}
+
+/// A highlight: L · colour · cosˢ, summed over the visible lights.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Highlight<T> {
+    /// k_s
+    pub color: Rgb<T>,
+    /// Which cosine.
+    pub lobe: Lobe,
+    /// s
+    pub exponent: Exponent<T>,
+}
+
+/// The cosine that a highlight raises to a power.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lobe {
+    /// N·H, with H halfway between the light and the eye.
+    Blinn,
+    /// R·ω, with R the mirrored direction of view.
+    Phong,
+}
+
+/// The power of a highlight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Exponent<T> {
+    /// An integer, by repeated squaring.
+    Integer(u32),
+    /// Any number, by `powf`: four times the work.
+    Real(T),
+}
+
+/// What happens to the light that does not enter the body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Interface<T> {
+    /// No branches.
+    Opaque,
+    /// A reflected branch of constant weight k_r.
+    Mirror {
+        /// k_r per channel.
+        reflected: Rgb<T>,
+    },
+    /// A reflected branch weighted by Schlick's approximation; a metal.
+    Metal {
+        /// Reflectance at normal incidence, R₀, per channel.
+        r0: Rgb<T>,
+    },
+    /// A reflected and a transmitted branch of constant weights k_r and k_t, whatever the angle. On total internal
+    /// reflection the reflected branch takes both.
+    Constant {
+        /// k_r per channel.
+        reflected: Rgb<T>,
+        /// k_t per channel.
+        transmitted: Rgb<T>,
+        /// Index of refraction inside.
+        index: T,
+    },
+    /// A reflected and a transmitted branch weighted by Schlick's approximation R and by 1 − R.
+    Dielectric {
+        /// Index of refraction inside.
+        index: T,
+    },
+}
+
+impl<T: Real> Material<T> {
+    /// A diffuse body of one colour: k_d = 1, no ambient light.
+    pub const fn matte(color: Rgb<T>) -> Self {
+        Self::patterned(Pattern::Solid(color))
+    }
+
+    /// A diffuse body with a pattern: k_d = 1, no ambient light.
+    pub const fn patterned(color: Pattern<T>) -> Self {
+        let body = Body { color, emission: T::ZERO, ambient: T::ZERO, diffuse: T::ONE };
+        Self { body: Some(body), highlight: None, interface: Interface::Opaque }
+    }
+
+    /// A mirror of constant k_r without a body.
+    pub const fn mirror(reflected: Rgb<T>) -> Self {
+        Self { body: None, highlight: None, interface: Interface::Mirror { reflected } }
+    }
+
+    /// A metal of reflectance R₀ at normal incidence.
+    pub const fn metal(r0: Rgb<T>) -> Self {
+        Self { body: None, highlight: None, interface: Interface::Metal { r0 } }
+    }
+
+    /// Clear glass, water and the like, of the given index of refraction.
+    pub const fn dielectric(index: T) -> Self {
+        Self { body: None, highlight: None, interface: Interface::Dielectric { index } }
+    }
+
+    /// The same material with other shares of emission, ambient and diffuse light, if it has a body.
+    #[must_use]
+    pub const fn with_shares(self, emission: T, ambient: T, diffuse: T) -> Self {
+        match self.body {
+            Some(body) => Self { body: Some(Body { emission, ambient, diffuse, ..body }), ..self },
+            None => self,
+        }
+    }
+
+    /// The same material with a Blinn-Phong highlight of an integer exponent.
+    #[must_use]
+    pub const fn with_highlight(self, color: Rgb<T>, exponent: u32) -> Self {
+        let highlight = Highlight { color, lobe: Lobe::Blinn, exponent: Exponent::Integer(exponent) };
+        Self { highlight: Some(highlight), ..self }
+    }
+
+    /// The same material with another interface.
+    #[must_use]
+    pub const fn with_interface(self, interface: Interface<T>) -> Self {
+        Self { interface, ..self }
+    }
+
+    /// The same material in another number type.
+    pub(crate) fn map<U: Real>(&self, f: impl Fn(T) -> U) -> Material<U> {
+        Material {
+            body: self.body.map(|body| Body {
+                color: body.color.map(&f),
+                emission: f(body.emission),
+                ambient: f(body.ambient),
+                diffuse: f(body.diffuse),
+            }),
+            highlight: self.highlight.map(|highlight| Highlight {
+                color: highlight.color.map(&f),
+                lobe: highlight.lobe,
+                exponent: match highlight.exponent {
+                    Exponent::Integer(n) => Exponent::Integer(n),
+                    Exponent::Real(s) => Exponent::Real(f(s)),
+                },
+            }),
+            interface: match self.interface {
+                Interface::Opaque => Interface::Opaque,
+                Interface::Mirror { reflected } => Interface::Mirror { reflected: reflected.map(&f) },
+                Interface::Metal { r0 } => Interface::Metal { r0: r0.map(&f) },
+                Interface::Constant { reflected, transmitted, index } => Interface::Constant {
+                    reflected: reflected.map(&f),
+                    transmitted: transmitted.map(&f),
+                    index: f(index),
+                },
+                Interface::Dielectric { index } => Interface::Dielectric { index: f(index) },
+            },
+        }
+    }
+}
