@@ -12,6 +12,9 @@ pub struct Size {
 }
 
 impl Size {
+    /// The most pixels a side: all their numbers are exact in `f32`.
+    pub const LARGEST: u32 = 1 << 20;
+
     /// A size.
     pub const fn new(width: u32, height: u32) -> Self {
         Self { width, height }

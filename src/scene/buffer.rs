@@ -52,6 +52,46 @@ impl fmt::Display for Full {
 
 impl core::error::Error for Full {}
 
+/// Memory that a reader of scene files can fill: a [`SceneBuf`], or on a host whatever grows.
+pub trait SceneStore {
+    /// How many objects and lights there is room for in all.
+    fn room(&self) -> (usize, usize);
+
+    /// Takes out all objects and lights and starts a scene in a vacuum.
+    fn restart(&mut self, camera: Camera<f32>, background: Background<f32>);
+
+    /// Adds an object.
+    ///
+    /// # Errors
+    /// [`Full`]; the store is as before.
+    fn add_object(&mut self, object: Object<'static, f32>) -> Result<(), Full>;
+
+    /// Adds a light.
+    ///
+    /// # Errors
+    /// [`Full`]; the store is as before.
+    fn add_light(&mut self, light: Light<f32>) -> Result<(), Full>;
+}
+
+impl<const OBJECTS: usize, const LIGHTS: usize> SceneStore for SceneBuf<f32, OBJECTS, LIGHTS> {
+    fn room(&self) -> (usize, usize) {
+        (OBJECTS, LIGHTS)
+    }
+
+    fn restart(&mut self, camera: Camera<f32>, background: Background<f32>) {
+        self.clear();
+        (self.camera, self.background, self.index, self.tone) = (camera, background, 1.0, Tone::Linear);
+    }
+
+    fn add_object(&mut self, object: Object<'static, f32>) -> Result<(), Full> {
+        self.add_object(object)
+    }
+
+    fn add_light(&mut self, light: Light<f32>) -> Result<(), Full> {
+        self.add_light(light)
+    }
+}
+
 impl<T: Real, const OBJECTS: usize, const LIGHTS: usize> SceneBuf<T, OBJECTS, LIGHTS> {
     /// An empty scene in a vacuum.
     pub const fn new(camera: Camera<T>, background: Background<T>) -> Self {

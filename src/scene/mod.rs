@@ -10,11 +10,12 @@ mod material;
 pub mod nff;
 mod object;
 mod pattern;
+pub mod scenes;
 mod shape;
 mod validate;
 
 pub use background::Background;
-pub use buffer::{Full, SceneBuf};
+pub use buffer::{Full, SceneBuf, SceneStore};
 pub use camera::{Aperture, Camera, Extent, Lens};
 pub use effects::Effects;
 pub use light::{Emitter, Falloff, Light};

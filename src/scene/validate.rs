@@ -90,13 +90,13 @@ const fn amount(x: f32, field: &'static str) -> Result<(), Fault> {
     check(within(x, 0.0, BRIGHTEST), field, AMOUNT)
 }
 
-const fn point(v: Vec3<f32>, field: &'static str) -> Result<(), Fault> {
+pub(super) const fn point(v: Vec3<f32>, field: &'static str) -> Result<(), Fault> {
     ensure!(length(v.x, field));
     ensure!(length(v.y, field));
     length(v.z, field)
 }
 
-const fn color(c: Rgb<f32>, field: &'static str) -> Result<(), Fault> {
+pub(super) const fn color(c: Rgb<f32>, field: &'static str) -> Result<(), Fault> {
     ensure!(amount(c.r, field));
     ensure!(amount(c.g, field));
     amount(c.b, field)
@@ -115,7 +115,7 @@ const fn minus(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
 }
 
 /// A direction whose square neither underflows nor overflows.
-const fn direction(v: Vec3<f32>, field: &'static str) -> Result<(), Fault> {
+pub(super) const fn direction(v: Vec3<f32>, field: &'static str) -> Result<(), Fault> {
     ensure!(point(v, field));
     check(dot(v, v) > 1e-24, field, DIRECTION)
 }
@@ -204,7 +204,7 @@ const fn refraction(index: f32, field: &'static str) -> Result<(), Fault> {
 }
 
 impl Camera<f32> {
-    const fn check(&self) -> Result<(), Fault> {
+    pub(super) const fn check(&self) -> Result<(), Fault> {
         ensure!(point(self.eye, "eye"));
         ensure!(point(self.target, "target"));
         ensure!(direction(self.up, "up"));
@@ -224,7 +224,7 @@ impl Camera<f32> {
 }
 
 impl Object<'_, f32> {
-    const fn check(&self) -> Result<(), Fault> {
+    pub(super) const fn check(&self) -> Result<(), Fault> {
         ensure!(self.shape.check());
         self.material.check()
     }
@@ -301,7 +301,7 @@ impl Shape<'_, f32> {
 }
 
 impl Material<f32> {
-    const fn check(&self) -> Result<(), Fault> {
+    pub(super) const fn check(&self) -> Result<(), Fault> {
         if let Some(body) = &self.body {
             ensure!(body.color.check());
             ensure!(amount(body.emission, "body.emission"));
@@ -349,7 +349,7 @@ impl Pattern<f32> {
 }
 
 impl Light<f32> {
-    const fn check(&self) -> Result<(), Fault> {
+    pub(super) const fn check(&self) -> Result<(), Fault> {
         ensure!(color(self.color, "color"));
         match self.emitter {
             Emitter::Point { position } => ensure!(point(position, "position")),

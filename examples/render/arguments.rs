@@ -1,0 +1,122 @@
+//! The command line.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use clap::Parser;
+use whit::render::{Sampling, Settings, Size};
+use whit::{Budget, Rgb, Termination};
+
+use crate::scene::{DEPTH, Source};
+use crate::work::Job;
+
+/// Writes a picture of a scene.
+#[derive(Debug, Parser)]
+#[command(name = "render", max_term_width = 100)]
+pub struct Arguments {
+    /// The name of a built-in scene, or a path to an .nff file.
+    #[arg(default_value = "showcase")]
+    pub scene: String,
+    /// The picture: .png (8 bit) or .exr (linear 32-bit float) [default: target/render/SCENE.png].
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Pixels [default: the file's own, 512x512 for the card and the flake, else 640x480].
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    size: Option<Size>,
+    /// Samples a pixel; 1 is the middle of the pixel.
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=65_536))]
+    samples: u32,
+    /// Take a quarter of the samples, and the rest only where those differ by more than this.
+    #[arg(long, value_name = "CONTRAST", value_parser = parse_amount)]
+    adaptive: Option<f32>,
+    /// Bounces; 0 is eye rays alone.
+    #[arg(long, value_name = "D", default_value_t = 8, value_parser = clap::value_parser!(u8).range(0..=DEPTH as i64))]
+    depth: u8,
+    /// Cut branches that weigh less than this.
+    #[arg(long, value_name = "C", default_value_t = 0.0, value_parser = parse_amount)]
+    cutoff: f32,
+    /// Rays a pixel may take, shadow rays included.
+    #[arg(long, value_name = "N", default_value_t = u32::MAX, hide_default_value = true)]
+    rays_per_pixel: u32,
+    /// What a cut branch shows: background, black, or R,G,B.
+    #[arg(long, value_name = "COLOR", default_value = "background", value_parser = parse_termination)]
+    termination: Termination<f32>,
+    /// Threads [default: one a core].
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    threads: usize,
+    /// Render only these rows, counted from the top; the picture holds no others.
+    #[arg(long, value_name = "A..B", value_parser = parse_rows)]
+    rows: Option<Range<u32>>,
+    /// Print the counts of rays and cuts, and the time, as one JSON object.
+    #[arg(long)]
+    pub stats: bool,
+    /// A picture of the throughput that the budget cut.
+    #[arg(long, value_name = "FILE")]
+    pub dropped: Option<PathBuf>,
+    /// List the built-in scenes with the effects that each calls for.
+    #[arg(long)]
+    pub list: bool,
+}
+
+impl Arguments {
+    pub fn output_path(&self, source: &Source) -> PathBuf {
+        let default = || Path::new("target/render").join(source.name()).with_extension("png");
+        self.output.clone().unwrap_or_else(default)
+    }
+
+    pub fn job(&self, source: &Source) -> Result<Job, String> {
+        let size = self.size.unwrap_or(source.size());
+        let rows = self.rows.clone().unwrap_or(0..size.height);
+        let sampling = match (self.adaptive, self.samples) {
+            (None, 1) => Sampling::Grid(1),
+            (None, n) => Sampling::Sequence(n),
+            (Some(contrast), most) => Sampling::Adaptive { first: most.div_ceil(4), most, contrast },
+        };
+        let budget = Budget {
+            depth: self.depth,
+            cutoff: self.cutoff,
+            rays_per_pixel: self.rays_per_pixel,
+            termination: self.termination,
+        };
+        let settings = Settings { rows, sampling, budget, ..Settings::new(size.width, size.height) };
+        Job::new(settings, self.threads, self.dropped.is_some())
+    }
+}
+
+fn parse_size(text: &str) -> Result<Size, String> {
+    let (width, height) = text.split_once('x').ok_or("expected WIDTHxHEIGHT, such as 640x480")?;
+    let side = |text: &str| match text.parse() {
+        Ok(side) if (1..=Size::LARGEST).contains(&side) => Ok(side),
+        _ => Err(format!("expected 1 to {} pixels a side, found `{text}`", Size::LARGEST)),
+    };
+    Ok(Size::new(side(width)?, side(height)?))
+}
+
+fn parse_amount(text: &str) -> Result<f32, String> {
+    match f32::from_str(text) {
+        Ok(value) if value.is_finite() && value >= 0.0 => Ok(value),
+        _ => Err("expected a finite number of at least 0".to_owned()),
+    }
+}
+
+fn parse_termination(text: &str) -> Result<Termination<f32>, String> {
+    match text {
+        "background" => return Ok(Termination::Background),
+        "black" => return Ok(Termination::Black),
+        _ => {}
+    }
+    let channels: Result<Vec<f32>, String> = text.split(',').map(parse_amount).collect();
+    match channels.as_deref() {
+        Ok(&[r, g, b]) => Ok(Termination::Color(Rgb::new(r, g, b))),
+        _ => Err("expected background, black or three numbers R,G,B".to_owned()),
+    }
+}
+
+fn parse_rows(text: &str) -> Result<Range<u32>, String> {
+    let rows = text.split_once("..").and_then(|(a, b)| Some(a.parse().ok()?..b.parse().ok()?));
+    match rows {
+        Some(rows) if !rows.is_empty() => Ok(rows),
+        _ => Err("expected FIRST..END with FIRST below END, such as 0..240".to_owned()),
+    }
+}

@@ -1,0 +1,109 @@
+//! Where scenes come from: the built-in ones, each traced by code for its own effects, and files.
+
+use std::path::Path;
+
+use whit::render::{Encoding, Size};
+use whit::scene::{Full, SceneStore, nff};
+use whit::{Background, Camera, Effects, Light, Object, Scene, Tracer, scenes};
+
+use crate::work::{Job, Picture, trace};
+
+/// The deepest tree the tool has room for.
+pub const DEPTH: usize = 128;
+
+pub enum Source {
+    BuiltIn(&'static str),
+    File { name: String, size: Size, scene: FileScene },
+}
+
+impl Source {
+    /// Finds a built-in scene by its name, or reads a file.
+    pub fn open(name: &str) -> Result<Self, String> {
+        if let Some((name, _)) = scenes::ALL.iter().find(|(built_in, _)| *built_in == name) {
+            return Ok(Self::BuiltIn(name));
+        }
+        let path = Path::new(name);
+        if path.extension().is_none_or(|extension| extension != "nff") {
+            let names = scenes::ALL.map(|(name, _)| name).join(", ");
+            return Err(format!("scene `{name}`: expected one of {names}, or a path to an .nff file"));
+        }
+        let text = std::fs::read(path).map_err(|error| format!("{name}: {error}"))?;
+        let mut scene = FileScene::default();
+        let summary = nff::read_bytes(&text, &mut scene).map_err(|error| format!("{name}: {error}"))?;
+        let name = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        Ok(Self::File { name, size: summary.size, scene })
+    }
+
+    pub fn name(&self) -> &str {
+        match self {
+            Self::BuiltIn(name) => name,
+            Self::File { name, .. } => name,
+        }
+    }
+
+    /// The size of the picture when none is asked for.
+    pub fn size(&self) -> Size {
+        match self {
+            Self::BuiltIn("card" | "flake") => Size::new(512, 512),
+            Self::BuiltIn(_) => Size::new(640, 480),
+            Self::File { size, .. } => *size,
+        }
+    }
+
+    pub fn encoding(&self) -> Encoding {
+        match self {
+            Self::BuiltIn("card") => Encoding::of(&scenes::CARD),
+            _ => Encoding::Srgb,
+        }
+    }
+
+    pub fn render(&self, job: &Job) -> Result<Picture, String> {
+        match self {
+            Self::BuiltIn("spheres") => trace(&whit::tracer!(scenes::SPHERES, DEPTH), job),
+            Self::BuiltIn("mirrors") => trace(&whit::tracer!(scenes::MIRRORS, DEPTH), job),
+            Self::BuiltIn("flake") => trace(&whit::tracer!(scenes::FLAKE, DEPTH), job),
+            Self::BuiltIn("card") => trace(&whit::tracer!(scenes::CARD, DEPTH), job),
+            Self::BuiltIn(_) => trace(&whit::tracer!(scenes::SHOWCASE, DEPTH), job),
+            Self::File { scene, .. } => {
+                let scene = scene.as_scene().ok_or("the file was not read")?;
+                let tracer = Tracer::<f32, { Effects::ALL.bits() }, DEPTH>::try_new(&scene);
+                trace(&tracer.map_err(|error| error.to_string())?, job)
+            }
+        }
+    }
+}
+
+/// A scene file in memory that grows.
+#[derive(Default)]
+pub struct FileScene {
+    surroundings: Option<(Camera<f32>, Background<f32>)>,
+    objects: Vec<Object<'static, f32>>,
+    lights: Vec<Light<f32>>,
+}
+
+impl FileScene {
+    fn as_scene(&self) -> Option<Scene<'_, f32>> {
+        let (camera, background) = self.surroundings?;
+        Some(Scene::new(camera, background).with_objects(&self.objects).with_lights(&self.lights))
+    }
+}
+
+impl SceneStore for FileScene {
+    fn room(&self) -> (usize, usize) {
+        (usize::MAX, usize::MAX)
+    }
+
+    fn restart(&mut self, camera: Camera<f32>, background: Background<f32>) {
+        *self = Self { surroundings: Some((camera, background)), ..Self::default() };
+    }
+
+    fn add_object(&mut self, object: Object<'static, f32>) -> Result<(), Full> {
+        self.objects.push(object);
+        Ok(())
+    }
+
+    fn add_light(&mut self, light: Light<f32>) -> Result<(), Full> {
+        self.lights.push(light);
+        Ok(())
+    }
+}

@@ -1,0 +1,66 @@
+//! Ray against axis-aligned box.
+
+use super::{Contact, Ray, Surface, ray::first};
+use crate::math::{Real, Vec3};
+use crate::scene::AxisBox;
+
+/// The slab in which the ray is inside the box, as entry and exit.
+struct Span<T> {
+    enter: T,
+    enter_axis: u8,
+    leave: T,
+    leave_axis: u8,
+}
+
+impl<T: Real> Span<T> {
+    /// Cuts the span by the slab of one axis; `None` when the ray runs along the slab and outside it. Taking that case
+    /// apart keeps 0/0 and 0·∞ out of the test.
+    #[inline]
+    fn cut(self, axis: u8, origin: T, direction: T, low: T, high: T) -> Option<Self> {
+        if direction == T::ZERO {
+            return (origin >= low && origin <= high).then_some(self);
+        }
+        let inverse = T::ONE / direction;
+        let (a, b) = ((low - origin) * inverse, (high - origin) * inverse);
+        let (near, far) = if direction > T::ZERO { (a, b) } else { (b, a) };
+        let mut span = self;
+        if near > span.enter {
+            (span.enter, span.enter_axis) = (near, axis);
+        }
+        if far < span.leave {
+            (span.leave, span.leave_axis) = (far, axis);
+        }
+        Some(span)
+    }
+}
+
+/// The first visible contact nearer than `limit`; `part` is the axis across the face.
+#[inline]
+pub(crate) fn intersect<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
+    let (o, d) = (ray.origin, ray.direction);
+    let span = Span { enter: -T::MAX, enter_axis: 0, leave: T::MAX, leave_axis: 0 }
+        .cut(0, o.x, d.x, shape.min.x, shape.max.x)?
+        .cut(1, o.y, d.y, shape.min.y, shape.max.y)?
+        .cut(2, o.z, d.z, shape.min.z, shape.max.z)?;
+    if span.enter > span.leave {
+        return None;
+    }
+    let entry = Contact { t: span.enter, front: true, part: span.enter_axis };
+    let exit = Contact { t: span.leave, front: false, part: span.leave_axis };
+    first([entry, exit], limit, outside_only)
+}
+
+/// The surface at a contact. The coordinate across the face is the face's own, without any error.
+pub(crate) fn surface<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
+    let mut point = ray.at(contact.t);
+    let mut normal = Vec3::ZERO;
+    let (direction, low, high, coordinate, across) = match contact.part {
+        0 => (ray.direction.x, shape.min.x, shape.max.x, &mut point.x, &mut normal.x),
+        1 => (ray.direction.y, shape.min.y, shape.max.y, &mut point.y, &mut normal.y),
+        _ => (ray.direction.z, shape.min.z, shape.max.z, &mut point.z, &mut normal.z),
+    };
+    // A ray that goes up enters by the low face and leaves by the high one.
+    let at_low = (direction > T::ZERO) == contact.front;
+    (*coordinate, *across) = if at_low { (low, -T::ONE) } else { (high, T::ONE) };
+    Surface::new(point, normal, Vec3::ZERO)
+}

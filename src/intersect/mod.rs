@@ -1,0 +1,15 @@
+//! Rays against shapes: contacts, error-bounded surface points, and the search through all objects.
+
+mod axis_box;
+mod cone;
+mod plane;
+mod ray;
+mod search;
+mod sphere;
+mod surface;
+mod triangle;
+
+pub(crate) use ray::Contact;
+pub use ray::Ray;
+pub(crate) use search::{Hit, nearest, occluded};
+pub(crate) use surface::Surface;

@@ -1,0 +1,52 @@
+//! Ray against plane and disc.
+
+use super::{Contact, Ray, Surface};
+use crate::math::{Real, Vec3};
+use crate::scene::{Disc, Plane};
+
+/// The contact nearer than `limit`, if it may be seen. A ray along the plane does not meet it.
+#[inline]
+pub(crate) fn intersect<T: Real>(plane: &Plane<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
+    let towards = ray.direction.dot(plane.normal);
+    let front = towards < T::ZERO;
+    if towards == T::ZERO || (outside_only && !front) {
+        return None;
+    }
+    let t = (plane.point - ray.origin).dot(plane.normal) / towards;
+    (t > T::ZERO && t < limit).then_some(Contact { t, front, part: 0 })
+}
+
+/// The surface at a contact.
+pub(crate) fn surface<T: Real>(plane: &Plane<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
+    flat_surface(ray.at(contact.t), plane.point, plane.normal.normalized())
+}
+
+/// A point moved onto the plane through `anchor`. The difference to the anchor, its product with the normal and the
+/// move are good to about 4 roundings of the larger of the two vectors; 8 are taken.
+pub(crate) fn flat_surface<T: Real>(point: Vec3<T>, anchor: Vec3<T>, normal: Vec3<T>) -> Surface<T> {
+    let point = point - normal * (point - anchor).dot(normal);
+    let error = (point.abs() + anchor.abs()) * (T::from_f32(8.0) * T::ROUNDOFF);
+    Surface::new(point, normal, error)
+}
+
+/// The contact with a disc.
+#[inline]
+pub(crate) fn intersect_disc<T: Real>(
+    disc: &Disc<T>,
+    ray: &Ray<T>,
+    limit: T,
+    outside_only: bool,
+) -> Option<Contact<T>> {
+    let contact = intersect(&plane_of(disc), ray, limit, outside_only)?;
+    let from_center = ray.at(contact.t) - disc.center;
+    (from_center.length_squared() <= disc.radius * disc.radius).then_some(contact)
+}
+
+/// The surface of a disc at a contact.
+pub(crate) fn disc_surface<T: Real>(disc: &Disc<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
+    surface(&plane_of(disc), ray, contact)
+}
+
+fn plane_of<T: Real>(disc: &Disc<T>) -> Plane<T> {
+    Plane { point: disc.center, normal: disc.normal }
+}

@@ -1,0 +1,38 @@
+//! Rays, and where they meet a surface.
+
+use crate::math::{Real, Vec3};
+
+/// A half-line: origin + t·direction for t > 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray<T> {
+    /// Where it starts.
+    pub origin: Vec3<T>,
+    /// Where it goes; a unit vector, so that t is a distance.
+    pub direction: Vec3<T>,
+}
+
+impl<T: Real> Ray<T> {
+    /// The point at distance `t`.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, t: T) -> Vec3<T> {
+        self.origin + self.direction * t
+    }
+}
+
+/// Where a ray meets a shape.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Contact<T> {
+    /// Distance along the ray, above 0.
+    pub t: T,
+    /// Whether the ray comes from outside.
+    pub front: bool,
+    /// Which part of the shape it is, where a shape has parts: the axis of a box's face, the side or a cap of a cone.
+    pub part: u8,
+}
+
+/// Of two candidates in the order of the ray, the first that lies between 0 and `limit` and may be seen.
+#[inline]
+pub(crate) fn first<T: Real>(candidates: [Contact<T>; 2], limit: T, outside_only: bool) -> Option<Contact<T>> {
+    candidates.into_iter().find(|c| c.t > T::ZERO && c.t < limit && (c.front || !outside_only))
+}

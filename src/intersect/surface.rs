@@ -1,0 +1,41 @@
+//! A point on a surface, with a bound on how far rounding has moved it.
+
+use super::Ray;
+use crate::math::{Real, Vec3};
+
+/// What is known of the point where a ray meets a surface.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Surface<T> {
+    /// The point, brought back onto the surface.
+    pub point: Vec3<T>,
+    /// Unit geometric normal, on the outside.
+    pub normal: Vec3<T>,
+    /// Unit normal to shade with, on the outside; the geometric one but for smooth triangles.
+    pub shading: Vec3<T>,
+    /// From the point to the nearest place that is surely outside, along the normal.
+    pub offset: Vec3<T>,
+}
+
+impl<T: Real> Surface<T> {
+    /// A surface without a shading normal of its own. `error` bounds the absolute error of each coordinate of `point`.
+    pub(crate) fn new(point: Vec3<T>, normal: Vec3<T>, error: Vec3<T>) -> Self {
+        Self { point, normal, shading: normal, offset: offset(point, normal, error) }
+    }
+
+    /// A ray that leaves the surface: to the outside, or to the inside.
+    #[inline]
+    pub(crate) fn leave(&self, direction: Vec3<T>, outside: bool) -> Ray<T> {
+        let origin = if outside { self.point + self.offset } else { self.point - self.offset };
+        Ray { origin, direction }
+    }
+}
+
+/// The shift along the normal that takes a point with these errors surely across its surface.
+///
+/// The point lies in a box of half-sides `error` around the true one, which reaches Σ|nᵢ|·errorᵢ along the normal
+/// (Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th edition, 6.8.6). Adding the shift rounds each
+/// coordinate once more, by up to u·|pᵢ|; twice that is added. No constant of the scene's size is involved.
+fn offset<T: Real>(point: Vec3<T>, normal: Vec3<T>, error: Vec3<T>) -> Vec3<T> {
+    let rounding = point.abs() * (T::ROUNDOFF + T::ROUNDOFF);
+    normal * normal.abs().dot(error + rounding)
+}

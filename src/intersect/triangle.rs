@@ -1,0 +1,120 @@
+//! Ray against triangle, watertight: a ray through a shared edge or corner meets at least one of its triangles.
+//!
+//! Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection" (JCGT 2013). The vertices are sheared into a space
+//! where the ray is an axis; two triangles see the same numbers with opposite signs at a shared edge, so none of them
+//! can round the ray away on both sides. A value of exactly zero counts as a hit on either side.
+
+use super::{Contact, Ray, Surface};
+use crate::math::{Real, Vec3};
+use crate::scene::{SmoothTriangle, Triangle};
+
+/// The shear that makes a ray an axis; worked out once a ray.
+#[derive(Clone, Copy)]
+pub(crate) struct Shear<T> {
+    axis: u8,
+    x: T,
+    y: T,
+    z: T,
+}
+
+impl<T: Real> Shear<T> {
+    #[inline]
+    pub(crate) fn new(direction: Vec3<T>) -> Self {
+        let size = direction.abs();
+        let axis = if size.x > size.y && size.x > size.z {
+            0
+        } else if size.y > size.z {
+            1
+        } else {
+            2
+        };
+        let d = permute(direction, axis);
+        let z = T::ONE / d.z;
+        Self { axis, x: d.x * z, y: d.y * z, z }
+    }
+}
+
+/// Turns the coordinates so that `axis` comes last; a rotation, so orientation stays.
+#[inline]
+fn permute<T>(v: Vec3<T>, axis: u8) -> Vec3<T> {
+    match axis {
+        0 => Vec3 { x: v.y, y: v.z, z: v.x },
+        1 => Vec3 { x: v.z, y: v.x, z: v.y },
+        _ => v,
+    }
+}
+
+/// Where the ray crosses the plane of the triangle: weights of the three corners, not yet divided by their sum, and t.
+struct Crossing<T> {
+    weights: [T; 3],
+    sum: T,
+    t: T,
+}
+
+#[inline]
+fn cross<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>, shear: &Shear<T>) -> Option<Crossing<T>> {
+    let [a, b, c] = vertices.map(|v| {
+        let v = permute(v - ray.origin, shear.axis);
+        Vec3 { x: v.x - shear.x * v.z, y: v.y - shear.y * v.z, z: shear.z * v.z }
+    });
+    let u = c.x * b.y - c.y * b.x;
+    let v = a.x * c.y - a.y * c.x;
+    let w = b.x * a.y - b.y * a.x;
+    if (u < T::ZERO || v < T::ZERO || w < T::ZERO) && (u > T::ZERO || v > T::ZERO || w > T::ZERO) {
+        return None;
+    }
+    let sum = u + v + w;
+    if sum == T::ZERO {
+        return None;
+    }
+    Some(Crossing { weights: [u, v, w], sum, t: (u * a.z + v * b.z + w * c.z) / sum })
+}
+
+/// The contact nearer than `limit`, if it may be seen.
+#[inline]
+pub(crate) fn intersect<T: Real>(
+    vertices: &[Vec3<T>; 3],
+    ray: &Ray<T>,
+    shear: &Shear<T>,
+    limit: T,
+    outside_only: bool,
+) -> Option<Contact<T>> {
+    let crossing = cross(vertices, ray, shear)?;
+    // The sheared triangle turns clockwise, seen along the ray, when the sum is positive.
+    let front = (crossing.sum > T::ZERO) == (shear.z > T::ZERO);
+    let t = crossing.t;
+    (t > T::ZERO && t < limit && (front || !outside_only)).then_some(Contact { t, front, part: 0 })
+}
+
+/// The surface of a flat triangle at a contact.
+pub(crate) fn surface<T: Real>(triangle: &Triangle<T>, ray: &Ray<T>) -> Surface<T> {
+    locate(&triangle.vertices, ray).0
+}
+
+/// The surface of a smooth triangle at a contact: its shading normal is the mean of the corners' unit normals.
+pub(crate) fn smooth_surface<T: Real>(triangle: &SmoothTriangle<T>, ray: &Ray<T>) -> Surface<T> {
+    let (surface, weights) = locate(&triangle.vertices, ray);
+    let shading = weigh(&triangle.normals.map(Vec3::normalized), weights).normalized();
+    // Normals that cancel leave nothing to shade with.
+    let shading = if shading == Vec3::ZERO { surface.normal } else { shading };
+    Surface { shading, ..surface }
+}
+
+/// The point by its barycentric weights, which keeps it in the triangle's plane whatever the distance; with 7 roundings
+/// of each product (Pharr, Jakob and Humphreys, 6.8.5).
+fn locate<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>) -> (Surface<T>, [T; 3]) {
+    let [a, b, c] = *vertices;
+    let weights = match cross(vertices, ray, &Shear::new(ray.direction)) {
+        Some(crossing) => crossing.weights.map(|weight| weight / crossing.sum),
+        None => [T::ONE, T::ZERO, T::ZERO],
+    };
+    let error = weigh(&vertices.map(Vec3::abs), weights) * (T::from_f32(8.0) * T::ROUNDOFF);
+    // Edges of unit length first: the product of two short or long ones could leave the range of the number type.
+    let normal = (b - a).normalized().cross((c - a).normalized()).normalized();
+    (Surface::new(weigh(vertices, weights), normal, error), weights)
+}
+
+#[inline]
+fn weigh<T: Real>([a, b, c]: &[Vec3<T>; 3], [u, v, w]: [T; 3]) -> Vec3<T> {
+    *a * u + *b * v + *c * w
+}

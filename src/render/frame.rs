@@ -1,0 +1,218 @@
+//! One picture, rendered as far as asked and taken up again.
+
+use core::fmt;
+
+use super::order::{Cursor, Next};
+use super::sampling::Accumulator;
+use super::view::View;
+use super::{Framebuffer, Pixel, Settings, SettingsError, Size};
+use crate::math::{Real, Rgb};
+use crate::scene::{Effects, Tone};
+use crate::trace::{Context, Observer, RayTree, Samples, Sequence, Tracer};
+
+/// Why rendering stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RenderError<E> {
+    /// The framebuffer's size is not the frame's.
+    Size {
+        /// The frame's.
+        frame: Size,
+        /// The framebuffer's.
+        framebuffer: Size,
+    },
+    /// The framebuffer's own error. Rendering goes on with the same call to the framebuffer.
+    Framebuffer(E),
+}
+
+impl<E: fmt::Display> fmt::Display for RenderError<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Size { frame, framebuffer } => write!(
+                f,
+                "the framebuffer has {}×{} pixels and the frame {}×{}",
+                framebuffer.width, framebuffer.height, frame.width, frame.height
+            ),
+            Self::Framebuffer(error) => error.fmt(f),
+        }
+    }
+}
+
+impl<E: fmt::Debug + fmt::Display> core::error::Error for RenderError<E> {}
+
+/// Whether there is more to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Progress {
+    /// Rays are left to trace.
+    More,
+    /// Every pixel has been handed over.
+    Done,
+}
+
+/// What the frame does next.
+#[derive(Clone, Copy, Debug)]
+enum Phase<T> {
+    /// Start the tree of the next sample.
+    Sample,
+    /// Follow the tree of the current sample.
+    Trace,
+    /// Hand over a finished pixel.
+    Put(Rgb<T>),
+    /// Report the end of a row.
+    EndRow(u32),
+    /// Nothing.
+    Done,
+}
+
+/// A picture, or some rows of one, that is rendered as far as asked.
+///
+/// Its memory is this value and nothing else. However it is stopped and taken up again, and in whatever parts of
+/// the picture: the pixels have the same bits.
+///
+/// ```
+/// use whit::render::{Frame, LinearRgb, Progress, Settings};
+/// let tracer = whit::tracer!(whit::scenes::SHOWCASE);
+/// let mut pixels = [whit::Rgb::BLACK; 32 * 24];
+/// let mut target = LinearRgb::new(32, 24, &mut pixels).unwrap();
+/// let mut frame = Frame::new(&tracer, Settings::new(32, 24)).unwrap();
+/// while frame.step(100, &mut target).unwrap() == Progress::More {
+///     // About 100 rays later: look after something else.
+/// }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Frame<'a, T, const EFFECTS: u64, const DEPTH: usize, O = ()> {
+    tracer: Tracer<'a, T, EFFECTS, DEPTH>,
+    settings: Settings<T>,
+    view: View<T>,
+    cursor: Cursor,
+    phase: Phase<T>,
+    pixel: Accumulator<T>,
+    tree: RayTree<'a, T, DEPTH>,
+    observer: O,
+}
+
+impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize> Frame<'a, T, EFFECTS, DEPTH> {
+    /// A frame that is about to begin.
+    ///
+    /// # Errors
+    /// Says which setting is out of its range.
+    pub fn new(tracer: &Tracer<'a, T, EFFECTS, DEPTH>, settings: Settings<T>) -> Result<Self, SettingsError> {
+        Self::observed(tracer, settings, ())
+    }
+}
+
+impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer> Frame<'a, T, EFFECTS, DEPTH, O> {
+    /// A frame that tells an observer of its rays: [`Stats`](crate::Stats), [`Dropped`](crate::trace::Dropped), a
+    /// pair of observers, or one's own.
+    ///
+    /// # Errors
+    /// Says which setting is out of its range.
+    pub fn observed(
+        tracer: &Tracer<'a, T, EFFECTS, DEPTH>,
+        settings: Settings<T>,
+        observer: O,
+    ) -> Result<Self, SettingsError> {
+        settings.check(DEPTH)?;
+        Ok(Self {
+            tracer: *tracer,
+            view: View::new(&tracer.scene().camera, settings.size),
+            cursor: Cursor::new(settings.size.width, &settings.rows, settings.order),
+            settings,
+            phase: Phase::Sample,
+            pixel: Accumulator::EMPTY,
+            tree: RayTree::new(),
+            observer,
+        })
+    }
+
+    /// The observer.
+    #[must_use]
+    pub fn observer(&self) -> &O {
+        &self.observer
+    }
+
+    /// Renders all that is left.
+    ///
+    /// # Errors
+    /// Sizes that differ, or the framebuffer's own error, after which rendering can go on.
+    pub fn render<F: Framebuffer>(&mut self, target: &mut F) -> Result<(), RenderError<F::Error>> {
+        while self.step(u32::MAX, target)? == Progress::More {}
+        Ok(())
+    }
+
+    /// Renders until `rays` more rays, shadow rays included, have been traced, or to the end of the frame. It may stop
+    /// in the middle of a pixel.
+    ///
+    /// # Errors
+    /// Sizes that differ, or the framebuffer's own error, after which rendering can go on.
+    pub fn step<F: Framebuffer>(&mut self, rays: u32, target: &mut F) -> Result<Progress, RenderError<F::Error>> {
+        let (frame, framebuffer) = (self.settings.size, target.size());
+        if frame != framebuffer {
+            return Err(RenderError::Size { frame, framebuffer });
+        }
+        let mut rays = rays;
+        loop {
+            match self.phase {
+                Phase::Sample => self.start_sample(),
+                Phase::Trace => {
+                    if !self.trace(&mut rays) {
+                        return Ok(Progress::More);
+                    }
+                }
+                Phase::Put(color) => {
+                    let Cursor { x, y, cell, .. } = self.cursor;
+                    let pixel = Pixel { x, y, cell, color: color.map(T::to_f32) };
+                    target.put(pixel).map_err(RenderError::Framebuffer)?;
+                    self.phase = match self.cursor.advance(self.settings.size.width, &self.settings.rows) {
+                        Next::SameRow => Phase::Sample,
+                        Next::OtherRow | Next::End => Phase::EndRow(y),
+                    };
+                }
+                Phase::EndRow(y) => {
+                    target.end_row(y).map_err(RenderError::Framebuffer)?;
+                    self.phase = if self.cursor.cell == 0 { Phase::Done } else { Phase::Sample };
+                }
+                Phase::Done => return Ok(Progress::Done),
+            }
+        }
+    }
+
+    fn samples(&self) -> Samples {
+        Samples { sequence: Sequence::new(self.cursor.x, self.cursor.y), index: self.pixel.count }
+    }
+
+    fn start_sample(&mut self) {
+        let samples = self.samples();
+        let [s, t] = self.settings.sampling.position(&samples);
+        let (x, y) = (T::from_u32(self.cursor.x) + s, T::from_u32(self.cursor.y) + t);
+        let ray = self.view.ray::<EFFECTS>(x, y, || samples.point(Sequence::LENS));
+        // At least one sample is taken, so that the division cannot trap.
+        let share = self.settings.budget.rays_per_pixel / self.settings.sampling.most().max(1);
+        self.tree.start(ray, share);
+        self.phase = Phase::Trace;
+    }
+
+    /// Follows the tree of the current sample; `false` when the rays are used up first.
+    fn trace(&mut self, rays: &mut u32) -> bool {
+        let samples = self.samples();
+        let context = Context { scene: self.tracer.scene(), budget: &self.settings.budget, samples };
+        if !self.tree.advance::<EFFECTS, O>(&context, rays, &mut self.observer) {
+            return false;
+        }
+        self.phase = Phase::Sample;
+        if self.pixel.add(self.tree.gathered(), &self.settings.sampling) {
+            self.observer.pixel(self.cursor.x, self.cursor.y, self.pixel.count);
+            self.phase = Phase::Put(self.tone(self.pixel.mean()));
+            self.pixel = Accumulator::EMPTY;
+        }
+        true
+    }
+
+    fn tone(&self, light: Rgb<T>) -> Rgb<T> {
+        match self.tracer.scene().tone {
+            Tone::Display { gain, lift } if Effects::from_bits(EFFECTS).has(Effects::DISPLAY_TONE) => {
+                (light * gain + Rgb::grey(lift)).min(Rgb::grey(T::MAX))
+            }
+            _ => light,
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! Eye rays.
+
+use crate::intersect::Ray;
+use crate::math::{Real, Vec3};
+use crate::render::Size;
+use crate::scene::{Aperture, Camera, Effects, Extent, Lens};
+use crate::trace::concentric;
+
+/// A camera in front of a picture of a given size.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View<T> {
+    eye: Vec3<T>,
+    forward: Vec3<T>,
+    /// Unit vectors in the picture.
+    right: Vec3<T>,
+    up: Vec3<T>,
+    /// Half the size of the picture in pixels.
+    center: (T, T),
+    /// The side of a pixel, at distance 1.
+    scale: T,
+    lens: Option<Lens<T>>,
+}
+
+impl<T: Real> View<T> {
+    pub(crate) fn new(camera: &Camera<T>, size: Size) -> Self {
+        let forward = (camera.target - camera.eye).normalized();
+        let right = forward.cross(camera.up).normalized();
+        let spanned = match camera.extent {
+            Extent::PixelEdges => size.height,
+            Extent::PixelCentres => (size.height.saturating_sub(1)).max(1),
+        };
+        Self {
+            eye: camera.eye,
+            forward,
+            right,
+            up: right.cross(forward),
+            center: (T::from_u32(size.width) * T::HALF, T::from_u32(size.height) * T::HALF),
+            scale: (camera.half_height + camera.half_height) / T::from_u32(spanned),
+            lens: camera.lens,
+        }
+    }
+
+    /// The ray through a point of the picture, in pixels from its upper left corner.
+    #[inline]
+    pub(crate) fn ray<const EFFECTS: u64>(&self, x: T, y: T, lens_sample: impl FnOnce() -> [T; 2]) -> Ray<T> {
+        let right = (x - self.center.0) * self.scale;
+        let up = (self.center.1 - y) * self.scale;
+        let through = self.forward + self.right * right + self.up * up;
+        match &self.lens {
+            Some(lens) if Effects::from_bits(EFFECTS).has(Effects::LENS) => {
+                let (a, b) = aperture_point(&lens.aperture, lens_sample());
+                let offset = self.right * a + self.up * b;
+                Ray { origin: self.eye + offset, direction: (through * lens.focus - offset).normalized() }
+            }
+            _ => Ray { origin: self.eye, direction: through.normalized() },
+        }
+    }
+}
+
+fn aperture_point<T: Real>(aperture: &Aperture<T>, [s, t]: [T; 2]) -> (T, T) {
+    match *aperture {
+        Aperture::Disc { radius } => {
+            let (x, y) = concentric([s, t]);
+            (x * radius, y * radius)
+        }
+        Aperture::Square { side } => ((s - T::HALF) * side, (t - T::HALF) * side),
+    }
+}

@@ -1,0 +1,28 @@
+//! Built-in scenes: constants that fit into flash. One that is not used is not in the binary.
+
+mod card;
+mod flake;
+mod mirrors;
+mod showcase;
+mod spheres;
+
+pub use card::CARD;
+pub use flake::{FLAKE, flake_spheres};
+pub use mirrors::MIRRORS;
+pub use showcase::SHOWCASE;
+pub use spheres::SPHERES;
+
+use super::{Pattern, Scene};
+use crate::math::{Rgb, Vec3};
+
+/// All built-in scenes by name.
+pub const ALL: [(&str, Scene<'static, f32>); 5] =
+    [("showcase", SHOWCASE), ("spheres", SPHERES), ("mirrors", MIRRORS), ("flake", FLAKE), ("card", CARD)];
+
+/// Upwards in the scenes of this crate's own; y is up.
+const UP: Vec3<f32> = Vec3::new(0.0, 1.0, 0.0);
+
+/// A horizontal floor of squares.
+const fn checker(even: Rgb<f32>, odd: Rgb<f32>, side: f32) -> Pattern<f32> {
+    Pattern::Checker { even, odd, u: Vec3::new(1.0 / side, 0.0, 0.0), v: Vec3::new(0.0, 0.0, 1.0 / side) }
+}

@@ -1,0 +1,17 @@
+//! What a ray sees that meets nothing.
+
+use crate::math::{Real, Rgb, Vec3};
+use crate::scene::{Background, Effects, Scene};
+
+/// The light from far away in a direction.
+pub(super) fn background<T: Real, const EFFECTS: u64>(scene: &Scene<'_, T>, direction: Vec3<T>) -> Rgb<T> {
+    let effects = const { Effects::from_bits(EFFECTS) };
+    match scene.background {
+        Background::Solid(color) => color,
+        Background::Gradient { below, above, up } if effects.has(Effects::BACKGROUND_GRADIENT) => {
+            below.mix(above, (T::ONE + direction.dot(up)) * T::HALF)
+        }
+        Background::Sky { horizon, up } if effects.has(Effects::SKY) => horizon * (T::ONE - direction.dot(up)).powi(4),
+        _ => Rgb::BLACK,
+    }
+}

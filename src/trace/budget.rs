@@ -1,0 +1,36 @@
+//! How much work a pixel may cost, and what stands for the work that is not done.
+
+use crate::math::{Real, Rgb};
+
+/// The limits of a ray tree.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Budget<T> {
+    /// The number of bounces, at most the tracer's `DEPTH`; 0 is eye rays alone.
+    pub depth: u8,
+    /// A branch is cut when the largest channel of its throughput is below this; 0 cuts nothing.
+    pub cutoff: T,
+    /// The number of rays, shadow rays included, that a pixel may take, shared evenly by its samples. A branch starts
+    /// only if the rest pays for it and for a shadow ray to each light.
+    pub rays_per_pixel: u32,
+    /// What a branch that is cut contributes.
+    pub termination: Termination<T>,
+}
+
+/// What stands for the light of a branch that is cut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Termination<T> {
+    /// The background in the direction of the branch.
+    Background,
+    /// Nothing: the light is lost.
+    Black,
+    /// This colour.
+    Color(Rgb<T>),
+}
+
+impl<T: Real> Budget<T> {
+    /// A number of bounces and no other limit; what is cut takes the background.
+    #[must_use]
+    pub const fn with_depth(depth: u8) -> Self {
+        Self { depth, cutoff: T::ZERO, rays_per_pixel: u32::MAX, termination: Termination::Background }
+    }
+}

@@ -1,0 +1,19 @@
+//! The ray tree, its budget and its shading.
+
+mod background;
+mod budget;
+mod illumination;
+mod observer;
+mod sequence;
+mod shade;
+mod split;
+mod tracer;
+mod tree;
+
+pub use budget::{Budget, Termination};
+pub(crate) use illumination::concentric;
+pub use observer::{Cut, Dropped, Observer, RayKind, Stats};
+pub use sequence::Sequence;
+pub(crate) use shade::Samples;
+pub use tracer::{Tracer, TracerError};
+pub(crate) use tree::{Context, RayTree};

@@ -1,0 +1,197 @@
+//! Seeing what a render does, at no cost to those who do not look.
+
+use crate::math::Rgb;
+
+/// The reason a ray was sent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RayKind {
+    /// From the camera.
+    Eye,
+    /// A reflected branch.
+    Reflected,
+    /// A transmitted branch.
+    Transmitted,
+    /// From a surface to a light.
+    Shadow,
+}
+
+/// The limit that cut a branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cut {
+    /// [`Budget::depth`](crate::Budget::depth)
+    Depth,
+    /// [`Budget::cutoff`](crate::Budget::cutoff)
+    Cutoff,
+    /// [`Budget::rays_per_pixel`](crate::Budget::rays_per_pixel)
+    Rays,
+}
+
+/// Is told of events while a frame is traced. Every method does nothing unless it is written; `()` sees nothing, and
+/// the calls are not in the binary.
+pub trait Observer {
+    /// A ray is sent.
+    #[inline]
+    fn ray(&mut self, kind: RayKind) {
+        let _ = kind;
+    }
+
+    /// A branch was reflected totally.
+    #[inline]
+    fn total_internal_reflection(&mut self) {}
+
+    /// A branch was cut, and with it `throughput` of the light of the current sample.
+    #[inline]
+    fn cut(&mut self, reason: Cut, throughput: Rgb<f32>) {
+        let _ = (reason, throughput);
+    }
+
+    /// The pixel in column `x` of row `y` is complete, the mean of so many samples.
+    #[inline]
+    fn pixel(&mut self, x: u32, y: u32, samples: u32) {
+        let _ = (x, y, samples);
+    }
+}
+
+impl Observer for () {}
+
+impl<O: Observer> Observer for &mut O {
+    #[inline]
+    fn ray(&mut self, kind: RayKind) {
+        (**self).ray(kind);
+    }
+    #[inline]
+    fn total_internal_reflection(&mut self) {
+        (**self).total_internal_reflection();
+    }
+    #[inline]
+    fn cut(&mut self, reason: Cut, throughput: Rgb<f32>) {
+        (**self).cut(reason, throughput);
+    }
+    #[inline]
+    fn pixel(&mut self, x: u32, y: u32, samples: u32) {
+        (**self).pixel(x, y, samples);
+    }
+}
+
+impl<A: Observer, B: Observer> Observer for (A, B) {
+    #[inline]
+    fn ray(&mut self, kind: RayKind) {
+        self.0.ray(kind);
+        self.1.ray(kind);
+    }
+    #[inline]
+    fn total_internal_reflection(&mut self) {
+        self.0.total_internal_reflection();
+        self.1.total_internal_reflection();
+    }
+    #[inline]
+    fn cut(&mut self, reason: Cut, throughput: Rgb<f32>) {
+        self.0.cut(reason, throughput);
+        self.1.cut(reason, throughput);
+    }
+    #[inline]
+    fn pixel(&mut self, x: u32, y: u32, samples: u32) {
+        self.0.pixel(x, y, samples);
+        self.1.pixel(x, y, samples);
+    }
+}
+
+/// Counts of rays and cuts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Stats {
+    /// Rays from the camera.
+    pub eye: u64,
+    /// Reflected branches.
+    pub reflected: u64,
+    /// Transmitted branches.
+    pub transmitted: u64,
+    /// Rays to lights.
+    pub shadow: u64,
+    /// Total internal reflections.
+    pub total_internal: u64,
+    /// Branches cut by the depth.
+    pub cut_by_depth: u64,
+    /// Branches cut by the cutoff.
+    pub cut_by_cutoff: u64,
+    /// Branches cut by the rays per pixel.
+    pub cut_by_budget: u64,
+}
+
+impl Stats {
+    /// All rays.
+    #[must_use]
+    pub const fn rays(&self) -> u64 {
+        self.eye + self.reflected + self.transmitted + self.shadow
+    }
+
+    /// The counts of two parts of a picture, together.
+    #[must_use]
+    pub const fn plus(self, other: Self) -> Self {
+        Self {
+            eye: self.eye + other.eye,
+            reflected: self.reflected + other.reflected,
+            transmitted: self.transmitted + other.transmitted,
+            shadow: self.shadow + other.shadow,
+            total_internal: self.total_internal + other.total_internal,
+            cut_by_depth: self.cut_by_depth + other.cut_by_depth,
+            cut_by_cutoff: self.cut_by_cutoff + other.cut_by_cutoff,
+            cut_by_budget: self.cut_by_budget + other.cut_by_budget,
+        }
+    }
+}
+
+impl Observer for Stats {
+    #[inline]
+    fn ray(&mut self, kind: RayKind) {
+        match kind {
+            RayKind::Eye => self.eye += 1,
+            RayKind::Reflected => self.reflected += 1,
+            RayKind::Transmitted => self.transmitted += 1,
+            RayKind::Shadow => self.shadow += 1,
+        }
+    }
+
+    #[inline]
+    fn total_internal_reflection(&mut self) {
+        self.total_internal += 1;
+    }
+
+    #[inline]
+    fn cut(&mut self, reason: Cut, _throughput: Rgb<f32>) {
+        match reason {
+            Cut::Depth => self.cut_by_depth += 1,
+            Cut::Cutoff => self.cut_by_cutoff += 1,
+            Cut::Rays => self.cut_by_budget += 1,
+        }
+    }
+}
+
+/// Per pixel, the throughput that was cut: the weight of what the budget did not look at.
+///
+/// `write` receives column, row and the mean over the pixel's samples.
+#[derive(Clone, Copy, Debug)]
+pub struct Dropped<F> {
+    sum: Rgb<f32>,
+    write: F,
+}
+
+impl<F: FnMut(u32, u32, Rgb<f32>)> Dropped<F> {
+    /// An observer that hands each pixel's lost throughput to `write`.
+    pub const fn new(write: F) -> Self {
+        Self { sum: Rgb::BLACK, write }
+    }
+}
+
+impl<F: FnMut(u32, u32, Rgb<f32>)> Observer for Dropped<F> {
+    #[inline]
+    fn cut(&mut self, _reason: Cut, throughput: Rgb<f32>) {
+        self.sum += throughput;
+    }
+
+    #[inline]
+    fn pixel(&mut self, x: u32, y: u32, samples: u32) {
+        let mean = self.sum * (1.0 / samples.max(1) as f32);
+        self.sum = Rgb::BLACK;
+        (self.write)(x, y, mean);
+    }
+}

@@ -1,0 +1,173 @@
+//! The light that a surface point sends towards the eye by itself: Blinn-Phong over the visible lights.
+
+use super::illumination::illuminate;
+use super::{Observer, RayKind, Sequence};
+use crate::intersect::Surface;
+use crate::math::{Real, Rgb, Vec3};
+use crate::optics::reflect;
+use crate::path::is_lit;
+use crate::scene::{Effects, Exponent, Highlight, Lobe, Material, Pattern, Scene};
+
+/// A surface point whose lights are being looked at. It can be left between two shadow rays and taken up again.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shading<'a, T> {
+    material: &'a Material<T>,
+    /// Where shadow rays start, on the viewer's side.
+    origin: Vec3<T>,
+    /// Geometric and shading normal on the viewer's side.
+    geometric: Vec3<T>,
+    normal: Vec3<T>,
+    /// Direction of the ray that came.
+    incident: Vec3<T>,
+    /// Colour of the body at the point.
+    color: Rgb<T>,
+    throughput: Rgb<T>,
+    /// Depth of the branch.
+    depth: u8,
+    /// The light that is next.
+    light: usize,
+}
+
+impl<'a, T: Real> Shading<'a, T> {
+    /// `front` tells whether `surface` was met from outside. `None` when the material has nothing to be lit.
+    pub(crate) fn new<const EFFECTS: u64>(
+        material: &'a Material<T>,
+        surface: &Surface<T>,
+        front: bool,
+        incident: Vec3<T>,
+        throughput: Rgb<T>,
+        depth: u8,
+    ) -> Option<Self> {
+        let effects = const { Effects::from_bits(EFFECTS) };
+        let lit = (effects.has(Effects::BODY) && material.body.is_some())
+            || (effects.has(HIGHLIGHTS) && material.highlight.is_some());
+        if !lit {
+            return None;
+        }
+        let color = match &material.body {
+            Some(body) if effects.has(Effects::BODY) => color_at::<T, EFFECTS>(&body.color, surface.point),
+            _ => Rgb::BLACK,
+        };
+        let sided = |v: Vec3<T>| if front { v } else { -v };
+        Some(Self {
+            material,
+            origin: surface.leave(incident, front).origin,
+            geometric: sided(surface.normal),
+            normal: sided(surface.shading),
+            incident,
+            color,
+            throughput,
+            depth,
+            light: 0,
+        })
+    }
+
+    /// The light the body gives off without any light.
+    pub(crate) fn emitted(&self) -> Rgb<T> {
+        match &self.material.body {
+            Some(body) => self.throughput * self.color * body.emission,
+            None => Rgb::BLACK,
+        }
+    }
+
+    /// Looks at the lights, one shadow ray each, until all are done or `rays` is used up; `true` when all are done.
+    pub(crate) fn advance<const EFFECTS: u64, O: Observer>(
+        &mut self,
+        scene: &Scene<'_, T>,
+        samples: &Samples,
+        gathered: &mut Rgb<T>,
+        rays: &mut u32,
+        observer: &mut O,
+    ) -> bool {
+        while let Some(light) = scene.lights.get(self.light) {
+            let sample = || {
+                let count = scene.lights.len() as u32;
+                samples.point(Sequence::light(u32::from(self.depth), self.light as u32, count))
+            };
+            if let Some(arriving) = illuminate::<T, EFFECTS>(light, self.origin, sample) {
+                let sent = arriving.color * self.response::<EFFECTS>(arriving.ray.direction);
+                if sent.max_channel() > T::ZERO {
+                    if *rays == 0 {
+                        return false;
+                    }
+                    *rays -= 1;
+                    observer.ray(RayKind::Shadow);
+                    if is_lit::<T, EFFECTS>(scene, &arriving.ray, arriving.distance) {
+                        *gathered += self.throughput * sent;
+                    }
+                }
+            }
+            self.light += 1;
+        }
+        true
+    }
+
+    /// The share of the light from direction `towards` that goes back along the incident ray.
+    fn response<const EFFECTS: u64>(&self, towards: Vec3<T>) -> Rgb<T> {
+        let effects = const { Effects::from_bits(EFFECTS) };
+        let cosine = self.normal.dot(towards);
+        if cosine <= T::ZERO || self.geometric.dot(towards) <= T::ZERO {
+            return Rgb::BLACK;
+        }
+        let mut response = Rgb::BLACK;
+        if let (Some(body), true) = (&self.material.body, effects.has(Effects::BODY)) {
+            response = self.color * (body.ambient + body.diffuse * cosine);
+        }
+        if let (Some(highlight), true) = (&self.material.highlight, effects.has(HIGHLIGHTS)) {
+            response += highlight.color * self.highlight::<EFFECTS>(highlight, towards);
+        }
+        response
+    }
+
+    fn highlight<const EFFECTS: u64>(&self, highlight: &Highlight<T>, towards: Vec3<T>) -> T {
+        let effects = const { Effects::from_bits(EFFECTS) };
+        let blinn = !effects.has(Effects::PHONG) || (highlight.lobe == Lobe::Blinn && effects.has(Effects::BLINN));
+        let cosine = if blinn {
+            self.normal.dot((towards - self.incident).normalized())
+        } else {
+            reflect(self.incident, self.normal, -self.incident.dot(self.normal)).dot(towards)
+        };
+        // Rounding can take a cosine past 1, where a high power would blow it up.
+        let cosine = cosine.min(T::ONE);
+        if cosine <= T::ZERO {
+            return T::ZERO;
+        }
+        match highlight.exponent {
+            Exponent::Integer(n) if effects.has(Effects::INTEGER_EXPONENT) => cosine.powi(n),
+            Exponent::Real(s) if effects.has(Effects::REAL_EXPONENT) => cosine.powf(s),
+            _ => T::ZERO,
+        }
+    }
+}
+
+const HIGHLIGHTS: Effects = Effects::BLINN.with(Effects::PHONG);
+
+/// The colour of a pattern at a point.
+fn color_at<T: Real, const EFFECTS: u64>(pattern: &Pattern<T>, point: Vec3<T>) -> Rgb<T> {
+    let effects = const { Effects::from_bits(EFFECTS) };
+    match *pattern {
+        Pattern::Solid(color) => color,
+        Pattern::Checker { even, odd, u, v } if effects.has(Effects::CHECKER) => {
+            let half = (point.dot(u).floor() + point.dot(v).floor()) * T::HALF;
+            if half == half.floor() { even } else { odd }
+        }
+        Pattern::Gradient { from, to, origin, axis } if effects.has(Effects::GRADIENT) => {
+            from.mix(to, (point - origin).dot(axis).max(T::ZERO).min(T::ONE))
+        }
+        _ => Rgb::BLACK,
+    }
+}
+
+/// Where a sample's random numbers come from: the pixel's sequence and the number of the sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Samples {
+    pub sequence: Sequence,
+    pub index: u32,
+}
+
+impl Samples {
+    #[inline]
+    pub(crate) fn point<T: Real>(&self, dimension: u32) -> [T; 2] {
+        self.sequence.point(self.index, dimension)
+    }
+}

@@ -1,0 +1,112 @@
+//! A scene together with the code that it calls for.
+
+use core::fmt;
+
+use super::{Budget, Context, Observer, RayTree, Samples, Sequence};
+use crate::intersect::Ray;
+use crate::math::{Real, Rgb};
+use crate::scene::{Effects, Scene, SceneError};
+
+/// A scene, to be traced by code for the effects `EFFECTS` ([`Effects::bits`]) to at most `DEPTH` bounces.
+///
+/// Code for other effects is not compiled, so a scene that needs more is refused: by the compiler for a constant scene
+/// ([`tracer!`](crate::tracer!), [`Tracer::new`]), by an error for one that is known only at run time
+/// ([`Tracer::try_new`]).
+#[derive(Clone, Copy, Debug)]
+pub struct Tracer<'a, T, const EFFECTS: u64, const DEPTH: usize> {
+    scene: &'a Scene<'a, T>,
+}
+
+/// The tracer of a constant `f32` scene, compiled for just the effects of that scene and checked by the compiler.
+///
+/// `tracer!(SCENE)` goes to at most 5 bounces, `tracer!(SCENE, 12)` to at most 12.
+///
+/// ```
+/// let tracer = whit::tracer!(whit::scenes::SHOWCASE, 8);
+/// ```
+#[macro_export]
+macro_rules! tracer {
+    ($scene:path) => {
+        $crate::tracer!($scene, 5)
+    };
+    ($scene:path, $depth:expr) => {
+        const { $crate::Tracer::<f32, { $scene.effects().bits() }, { $depth }>::new(&$scene) }
+    };
+}
+
+/// Why a scene cannot be traced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TracerError {
+    /// The scene calls for these effects, which the tracer was compiled without.
+    MissingEffects(Effects),
+    /// The scene has a number out of its range.
+    Scene(SceneError),
+}
+
+impl fmt::Display for TracerError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::MissingEffects(effects) => write!(f, "the tracer was compiled without: {effects}"),
+            Self::Scene(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for TracerError {}
+
+impl<'a, const EFFECTS: u64, const DEPTH: usize> Tracer<'a, f32, EFFECTS, DEPTH> {
+    /// The tracer of a constant scene, for use in constant evaluation.
+    ///
+    /// # Panics
+    /// When the scene calls for more than `EFFECTS` or has a number out of its range: in a constant or a static, that
+    /// is an error of compilation. Use [`Tracer::try_new`] at run time.
+    #[must_use]
+    #[allow(clippy::panic)] // The only way to stop a constant's evaluation.
+    pub const fn new(scene: &'a Scene<'a, f32>) -> Self {
+        assert!(Self::missing(scene).is_empty(), "the scene calls for effects that are not in EFFECTS");
+        if let Err(error) = scene.check() {
+            panic!("{}", error.expected);
+        }
+        Self { scene }
+    }
+}
+
+impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize> Tracer<'a, T, EFFECTS, DEPTH> {
+    /// The tracer of a scene that is known only at run time.
+    ///
+    /// # Errors
+    /// Names the effects that the scene calls for and `EFFECTS` lacks, or the field of the scene that is out of range.
+    pub fn try_new(scene: &'a Scene<'a, T>) -> Result<Self, TracerError> {
+        let missing = Self::missing(scene);
+        if !missing.is_empty() {
+            return Err(TracerError::MissingEffects(missing));
+        }
+        scene.validate().map_err(TracerError::Scene)?;
+        Ok(Self { scene })
+    }
+
+    const fn missing(scene: &Scene<'_, T>) -> Effects {
+        scene.effects().without(Effects::from_bits(EFFECTS))
+    }
+
+    /// The scene.
+    #[must_use]
+    pub const fn scene(&self) -> &'a Scene<'a, T> {
+        self.scene
+    }
+
+    /// The light that comes back along one ray, whose direction must have length 1. Lights with an area are sampled at
+    /// their first sample point.
+    #[must_use]
+    pub fn trace(&self, ray: Ray<T>, budget: &Budget<T>, observer: &mut impl Observer) -> Rgb<T> {
+        let samples = Samples { sequence: Sequence::new(0, 0), index: 0 };
+        let context = Context { scene: self.scene, budget, samples };
+        let mut tree = RayTree::<T, DEPTH>::new();
+        tree.start(ray, budget.rays_per_pixel);
+        let mut rays = u32::MAX;
+        while !tree.advance::<EFFECTS, _>(&context, &mut rays, observer) {
+            rays = u32::MAX;
+        }
+        tree.gathered()
+    }
+}

@@ -1,0 +1,193 @@
+//! A plain Whitted tracer to compare the library with: `f64`, recursive, every ray against every primitive. It shares
+//! nothing with the library but the description of the scene.
+#![allow(dead_code, unreachable_pub, missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::indexing_slicing)]
+
+pub mod camera;
+pub mod compare;
+pub mod cone;
+pub mod light;
+pub mod optics;
+pub mod shade;
+pub mod shapes;
+pub mod vector;
+pub mod world;
+
+use std::ops::AddAssign;
+use std::thread;
+
+use whit::scene::{Scene, Tone};
+
+use shapes::Ray;
+use vector::{Color, Vector};
+use world::World;
+
+/// The numbers in [0, 1)² of one sample, by dimension: 0 for the position in the pixel, 1 for the lens,
+/// 2 + depth·(number of lights) + (place in the list) for a light at a point that a branch of that depth meets.
+pub type Numbers<'a> = &'a dyn Fn(u32) -> [f64; 2];
+
+/// How a picture is made.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    pub width: u32,
+    pub height: u32,
+    /// The largest number of bounces; 0 for eye rays alone.
+    pub depth: u32,
+    /// Branches with less throughput than this in every channel are cut; 0 for none.
+    pub cutoff: f64,
+    pub termination: Termination,
+}
+
+impl Settings {
+    /// No cutoff, and the background for what is cut.
+    pub const fn new(width: u32, height: u32, depth: u32) -> Self {
+        Self { width, height, depth, cutoff: 0.0, termination: Termination::Background }
+    }
+}
+
+/// The light of branches that are cut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Termination {
+    /// The background in the direction of the branch.
+    Background,
+    Black,
+    Color([f64; 3]),
+}
+
+/// The samples of a pixel.
+#[derive(Clone, Copy)]
+pub struct Samples<'a> {
+    pub count: u32,
+    /// By column, row, sample and dimension.
+    pub numbers: &'a (dyn Fn(u32, u32, u32, u32) -> [f64; 2] + Sync),
+}
+
+impl Samples<'_> {
+    /// One sample: the middle of the pixel, of the lens and of the lights.
+    pub const CENTRE: Samples<'static> = Samples { count: 1, numbers: &|_, _, _, _| [0.5, 0.5] };
+}
+
+/// Rays that were traced, by kind; branches that are cut are not traced.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    pub eye: u64,
+    pub reflected: u64,
+    pub transmitted: u64,
+    pub shadow: u64,
+    /// Hits at which total internal reflection takes all the light.
+    pub total_internal: u64,
+}
+
+impl AddAssign for Counts {
+    fn add_assign(&mut self, other: Self) {
+        self.eye += other.eye;
+        self.reflected += other.reflected;
+        self.transmitted += other.transmitted;
+        self.shadow += other.shadow;
+        self.total_internal += other.total_internal;
+    }
+}
+
+/// The pixels of a picture, row by row from the top, and the rays that it took.
+pub fn render(scene: &Scene<'_, f32>, settings: &Settings, samples: &Samples<'_>) -> (Vec<[f64; 3]>, Counts) {
+    const THREADS: usize = 2;
+    let world = &World::new(scene);
+    let mut picture = vec![[0.0; 3]; settings.width as usize * settings.height as usize];
+    let mut rows: [Vec<_>; THREADS] = Default::default();
+    for (y, row) in (0..).zip(picture.chunks_mut(settings.width as usize)) {
+        rows[y as usize % THREADS].push((y, row));
+    }
+    let render_rows = |rows: Vec<(u32, &mut [[f64; 3]])>| {
+        let mut counts = Counts::default();
+        for (y, row) in rows {
+            for (x, pixel) in (0..).zip(row) {
+                *pixel = trace_pixel(world, settings, samples, [x, y], &mut counts);
+            }
+        }
+        counts
+    };
+    let mut counts = Counts::default();
+    thread::scope(|scope| {
+        for thread in rows.map(|rows| scope.spawn(|| render_rows(rows))) {
+            counts += thread.join().unwrap();
+        }
+    });
+    (picture, counts)
+}
+
+/// One pixel: the mean of its samples, after the tone.
+pub fn trace_pixel(
+    world: &World<'_>,
+    settings: &Settings,
+    samples: &Samples<'_>,
+    [x, y]: [u32; 2],
+    counts: &mut Counts,
+) -> [f64; 3] {
+    let mut sum = Color::BLACK;
+    for sample in 0..samples.count {
+        let numbers = |dimension| (samples.numbers)(x, y, sample, dimension);
+        let [s, t] = numbers(0);
+        let position = [f64::from(x) + s, f64::from(y) + t];
+        let ray = camera::eye_ray(&world.scene.camera, [settings.width, settings.height], position, &numbers);
+        counts.eye += 1;
+        sum += Branch { world, settings, numbers: &numbers, depth: 0, throughput: Color::WHITE }.trace(&ray, counts);
+    }
+    let light = sum * f64::from(samples.count).recip();
+    match world.scene.tone {
+        Tone::Linear => light.0,
+        Tone::Display { gain, lift } => light.map(|channel| f64::from(lift) + f64::from(gain) * channel).0,
+    }
+}
+
+/// A node of the ray tree.
+#[derive(Clone, Copy)]
+pub struct Branch<'a> {
+    pub world: &'a World<'a>,
+    pub settings: &'a Settings,
+    pub numbers: Numbers<'a>,
+    /// The number of bounces so far.
+    pub depth: u32,
+    /// The product of the weights so far.
+    pub throughput: Color,
+}
+
+impl Branch<'_> {
+    /// The light that comes along the ray.
+    pub fn trace(&self, ray: &Ray, counts: &mut Counts) -> Color {
+        let scene = self.world.scene;
+        let Some(hit) = self.world.nearest(ray) else { return light::background(&scene.background, ray.direction) };
+        let mut light = shade::local(self.world, &hit, ray.direction, self.depth, self.numbers, counts);
+        let branches = optics::branches(&hit, ray.direction, scene.index.into());
+        if branches.total_internal {
+            counts.total_internal += 1;
+        }
+        if let Some((weight, direction)) = branches.reflected {
+            light += self.grow(weight, &hit.leave(direction), counts, |counts| &mut counts.reflected);
+        }
+        if let Some((weight, direction)) = branches.transmitted {
+            light += self.grow(weight, &hit.leave(direction), counts, |counts| &mut counts.transmitted);
+        }
+        light
+    }
+
+    /// Weight × the light that comes along a branch, or the termination colour in its place.
+    fn grow(&self, weight: Color, ray: &Ray, counts: &mut Counts, kind: fn(&mut Counts) -> &mut u64) -> Color {
+        let branch = Self { depth: self.depth + 1, throughput: self.throughput * weight, ..*self };
+        if branch.throughput == Color::BLACK {
+            return Color::BLACK;
+        }
+        if branch.depth > self.settings.depth || branch.throughput.max_channel() < self.settings.cutoff {
+            return weight * self.cut(ray.direction);
+        }
+        *kind(counts) += 1;
+        weight * branch.trace(ray, counts)
+    }
+
+    fn cut(&self, direction: Vector) -> Color {
+        match self.settings.termination {
+            Termination::Background => light::background(&self.world.scene.background, direction),
+            Termination::Black => Color::BLACK,
+            Termination::Color(color) => Color(color),
+        }
+    }
+}
