@@ -1,6 +1,7 @@
 //! Rays against shapes: contacts, error-bounded surface points, and the search through all objects.
 
 mod axis_box;
+mod cluster;
 mod cone;
 mod plane;
 mod ray;

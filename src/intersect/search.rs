@@ -1,7 +1,7 @@
 //! The search through a scene's objects.
 
 use super::triangle::Shear;
-use super::{Contact, Ray, Surface, axis_box, cone, plane, sphere, triangle};
+use super::{Contact, Ray, Surface, axis_box, cluster, cone, plane, sphere, triangle};
 use crate::math::Real;
 use crate::scene::{Effects, Object, Shadow, Shape, Sides};
 
@@ -53,8 +53,8 @@ impl<T: Real> Hit<'_, T> {
             Shape::Triangle(t) if has::<EFFECTS>(Effects::TRIANGLE) => triangle::surface(t, ray),
             Shape::SmoothTriangle(t) if has::<EFFECTS>(Effects::SMOOTH_TRIANGLE) => triangle::smooth_surface(t, ray),
             Shape::Cone(c) if has::<EFFECTS>(Effects::CONE) => cone::surface(c, ray, contact),
-            Shape::Spheres(list) if has::<EFFECTS>(Effects::SPHERES) => match list.get(self.primitive) {
-                Some(s) => sphere::surface(s, ray, contact),
+            Shape::Spheres(list) if has::<EFFECTS>(Effects::SPHERES) => match cluster::sphere(list, self.primitive) {
+                Some(s) => sphere::surface(&s, ray, contact),
                 None => facing(ray, contact),
             },
             Shape::Triangles(list) if has::<EFFECTS>(Effects::TRIANGLES) => match list.get(self.primitive) {
@@ -95,8 +95,7 @@ impl<'r, T: Real, const EFFECTS: u64> Search<'r, T, EFFECTS> {
     fn nearest(&self, object: &Object<'_, T>, limit: T) -> Option<(Contact<T>, usize)> {
         match &object.shape {
             Shape::Spheres(list) if has::<EFFECTS>(Effects::SPHERES) => {
-                let outside_only = Self::outside_only(object);
-                nearest_of(list, limit, |s, limit| sphere::intersect(s, self.ray, limit, outside_only))
+                cluster::intersect(list, self.ray, limit, Self::outside_only(object), false)
             }
             Shape::Triangles(list) if has::<EFFECTS>(Effects::TRIANGLES) => {
                 let (shear, outside_only) = (self.shear?, Self::outside_only(object));
@@ -114,7 +113,7 @@ impl<'r, T: Real, const EFFECTS: u64> Search<'r, T, EFFECTS> {
         let outside_only = Self::outside_only(object);
         match (&object.shape, self.shear) {
             (Shape::Spheres(list), _) if has::<EFFECTS>(Effects::SPHERES) => {
-                list.iter().any(|s| sphere::intersect(s, self.ray, limit, outside_only).is_some())
+                cluster::intersect(list, self.ray, limit, outside_only, true).is_some()
             }
             (Shape::Triangles(list), Some(shear)) if has::<EFFECTS>(Effects::TRIANGLES) => {
                 list.iter().any(|t| triangle::intersect(&t.vertices, self.ray, &shear, limit, outside_only).is_some())

@@ -3,6 +3,7 @@
 mod background;
 mod buffer;
 mod camera;
+mod cluster;
 mod effects;
 mod light;
 mod material;
@@ -17,6 +18,7 @@ mod validate;
 pub use background::Background;
 pub use buffer::{Full, SceneBuf, SceneStore};
 pub use camera::{Aperture, Camera, Extent, Lens};
+pub use cluster::SphereCluster;
 pub use effects::Effects;
 pub use light::{Emitter, Falloff, Light};
 pub use material::{Body, Exponent, Highlight, Interface, Lobe, Material};

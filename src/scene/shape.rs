@@ -1,5 +1,6 @@
 //! What a scene is made of, geometrically.
 
+use super::SphereCluster;
 use crate::math::{Real, Vec3};
 
 /// A sphere.
@@ -75,13 +76,13 @@ pub struct Cone<T> {
 /// The geometry of an object.
 ///
 /// `Spheres` and `Triangles` are many primitives of one material in one compact slice: the way to keep a big constant
-/// scene small in flash, and quick to search.
+/// scene small in flash and, for spheres, quick to search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape<'a, T> {
     /// One sphere.
     Sphere(Sphere<T>),
-    /// Many spheres.
-    Spheres(&'a [Sphere<T>]),
+    /// Many spheres, eight by eight.
+    Spheres(&'a [SphereCluster<T>]),
     /// An infinite plane.
     Plane(Plane<T>),
     /// A disc.
@@ -152,7 +153,9 @@ impl<T: Real> Shape<'_, T> {
         let sphere = |s: &Sphere<T>| Shape::sphere(point(s.center), convert(s.radius));
         let triangle = |t: &Triangle<T>| Shape::Triangle(Triangle { vertices: t.vertices.map(point) });
         match self {
-            Self::Spheres(list) => return list.get(index).map(sphere),
+            Self::Spheres(clusters) => {
+                return clusters.iter().flat_map(SphereCluster::spheres).nth(index).map(|s| sphere(&s));
+            }
             Self::Triangles(list) => return list.get(index).map(triangle),
             _ if index > 0 => return None,
             _ => {}

@@ -247,10 +247,11 @@ impl Shape<'_, f32> {
     const fn check(&self) -> Result<(), Fault> {
         match self {
             Shape::Sphere(sphere) => round(sphere.center, sphere.radius),
-            Shape::Spheres(list) => {
+            Shape::Spheres(clusters) => {
                 let mut i = 0;
-                while i < list.len() {
-                    ensure!(round(list[i].center, list[i].radius));
+                while i < clusters.len() * 8 {
+                    let (c, place) = (&clusters[i / 8], i % 8);
+                    ensure!(round(Vec3::new(c.x[place], c.y[place], c.z[place]), c.radius[place]));
                     i += 1;
                 }
                 Ok(())

@@ -249,14 +249,50 @@ fn patches_keep_their_normals() {
     }
 }
 
+/// A square with a hole, joined by a cut: from any vertex on, and mirrored.
+#[test]
+fn a_hole_joined_by_a_cut_is_tiled() {
+    let keyhole = [[-3, -3], [3, -3], [3, 3], [-3, 3], [-3, -3], [-1, -1], [-1, 1], [1, 1], [1, -1], [-1, -1]];
+    for first in 0..keyhole.len() {
+        let mut vertices = keyhole.map(|[x, y]| [x as f32, y as f32, 2.0]);
+        vertices.rotate_left(first);
+        assert_all_tile(&polygon(vertices));
+        vertices.reverse();
+        assert_all_tile(&polygon(vertices.map(|[x, y, z]| [-x, y, z])));
+    }
+}
+
+/// A triangular hole that touches a corner of the square and is joined by a cut elsewhere: what would be cut off at that
+/// corner holds no vertex but reaches into the hole.
+#[test]
+fn a_hole_that_touches_a_corner_is_tiled() {
+    let outline = [[0, 0], [1, 0], [9, 0], [9, 9], [5, 3], [0, 0], [3, 5], [5, 3], [9, 9], [0, 9], [0, 1]];
+    for first in 0..outline.len() {
+        let mut vertices = outline.map(|[x, y]| [x as f32, y as f32, 2.0]);
+        vertices.rotate_left(first);
+        assert_all_tile(&polygon(vertices));
+    }
+}
+
+/// A notch 10⁻¹² of the square's side wide.
+#[test]
+fn details_far_below_the_size_of_a_polygon_count() {
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 2e-12], [1e-12, 1e-12]];
+    assert_all_tile(&polygon(square.map(|[x, y]| [x, y, 0.0])));
+}
+
 /// Spikes outwards and inwards, repeated vertices: the rest is tiled as if they were not there.
 #[test]
 fn what_has_no_area_is_dropped() {
     let spiky = [[0, 0], [0, 0], [4, 0], [6, 2], [4, 0], [4, 4], [2, 4], [2, 2], [2, 4], [0, 4], [-1, 4], [0, 4]];
     let plain = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 4.0], [0.0, 4.0]].map(|[x, y]| Vec3::new(x, y, 0.0));
-    let (_, scene) = read_big(&polygon(spiky.map(|[x, y]| [x as f32, y as f32, 0.0])));
-    let triangles: Vec<_> = scene.as_scene().objects.iter().map(triangle).collect();
-    assert_tiles(&plain, &triangles);
+    for first in 0..spiky.len() {
+        let mut vertices = spiky.map(|[x, y]| [x as f32, y as f32, 0.0]);
+        vertices.rotate_left(first);
+        let (_, scene) = read_big(&polygon(vertices));
+        let triangles: Vec<_> = scene.as_scene().objects.iter().map(triangle).collect();
+        assert_tiles(&plain, &triangles);
+    }
     for flat in [vec![[1.0, 2.0, 3.0]; 9], vec![[0.0; 3], [1.0, 2.0, 3.0], [3.0, 6.0, 9.0], [2.0, 4.0, 6.0]]] {
         assert_eq!(read_big(&polygon(flat)).0.objects, 0);
     }

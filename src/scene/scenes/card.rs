@@ -3,7 +3,7 @@
 use crate::math::{Rgb, Vec3};
 use crate::scene::{
     Aperture, Background, Body, Camera, Emitter, Exponent, Highlight, Interface, Lens, Light, Lobe, Material, Object,
-    Pattern, Scene, Shape, Sphere, Tone,
+    Pattern, Scene, Shape, Sphere, SphereCluster, Tone,
 };
 
 /// The letters "aek" in 49 mirrored spheres over a checkered floor, with a soft shadow and depth of field; z is up.
@@ -26,7 +26,7 @@ const SKY: Background<f32> = Background::Sky { horizon: Rgb::new(0.7, 0.6, 1.0),
 /// The rows of the letters from the bottom up; bit k is a sphere at x = k.
 const LETTERS: [u32; 9] = [247_570, 280_596, 280_600, 249_748, 18_578, 18_577, 231_184, 16, 16];
 
-const BALLS: [Sphere<f32>; 49] = balls();
+const BALLS: [SphereCluster<f32>; 7] = SphereCluster::pack(&balls());
 
 #[allow(clippy::indexing_slicing)] // There are 49 set bits; one more would not compile.
 const fn balls() -> [Sphere<f32>; 49] {

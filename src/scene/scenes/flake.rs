@@ -3,6 +3,7 @@
 use crate::math::{Rgb, Vec3};
 use crate::scene::{
     Background, Camera, Exponent, Extent, Highlight, Interface, Light, Lobe, Material, Object, Scene, Shape, Sphere,
+    SphereCluster,
 };
 
 /// 91 mirrored spheres, each with nine smaller ones around it, over a floor; z is up.
@@ -14,7 +15,7 @@ const CAMERA: Camera<f32> = Camera {
     ..Camera::look_at(Vec3::new(2.1, 1.3, 1.7), Vec3::ZERO, Vec3::new(0.0, 0.0, 1.0), 45.0)
 };
 
-const BALLS: [Sphere<f32>; 91] = flake_spheres();
+const BALLS: [SphereCluster<f32>; 12] = SphereCluster::pack(&flake_spheres::<91>());
 
 const BALL: Material<f32> = Material {
     highlight: Some(Highlight { color: Rgb::grey(0.5), lobe: Lobe::Blinn, exponent: Exponent::Real(3.0827) }),
