@@ -1,12 +1,13 @@
 //! Rays against shapes: contacts, error-bounded surface points, and the search through all objects.
 
 mod axis_box;
-mod cluster;
+
 mod cone;
 mod plane;
 mod ray;
 mod search;
 mod sphere;
+mod spheres;
 mod surface;
 mod triangle;
 

@@ -1,7 +1,7 @@
 //! The search through a scene's objects.
 
 use super::triangle::Shear;
-use super::{Contact, Ray, Surface, axis_box, cluster, cone, plane, sphere, triangle};
+use super::{Contact, Ray, Surface, axis_box, cone, plane, sphere, spheres, triangle};
 use crate::math::Real;
 use crate::scene::{Effects, Object, Shadow, Shape, Sides};
 
@@ -53,7 +53,7 @@ impl<T: Real> Hit<'_, T> {
             Shape::Triangle(t) if has::<EFFECTS>(Effects::TRIANGLE) => triangle::surface(t, ray),
             Shape::SmoothTriangle(t) if has::<EFFECTS>(Effects::SMOOTH_TRIANGLE) => triangle::smooth_surface(t, ray),
             Shape::Cone(c) if has::<EFFECTS>(Effects::CONE) => cone::surface(c, ray, contact),
-            Shape::Spheres(list) if has::<EFFECTS>(Effects::SPHERES) => match cluster::sphere(list, self.primitive) {
+            Shape::Spheres(list) if has::<EFFECTS>(Effects::SPHERES) => match list.sphere(self.primitive) {
                 Some(s) => sphere::surface(&s, ray, contact),
                 None => facing(ray, contact),
             },
@@ -95,7 +95,7 @@ impl<'r, T: Real, const EFFECTS: u64> Search<'r, T, EFFECTS> {
     fn nearest(&self, object: &Object<'_, T>, limit: T) -> Option<(Contact<T>, usize)> {
         match &object.shape {
             Shape::Spheres(list) if has::<EFFECTS>(Effects::SPHERES) => {
-                cluster::intersect(list, self.ray, limit, Self::outside_only(object), false)
+                spheres::intersect(list, self.ray, limit, Self::outside_only(object), false)
             }
             Shape::Triangles(list) if has::<EFFECTS>(Effects::TRIANGLES) => {
                 let (shear, outside_only) = (self.shear?, Self::outside_only(object));
@@ -113,7 +113,7 @@ impl<'r, T: Real, const EFFECTS: u64> Search<'r, T, EFFECTS> {
         let outside_only = Self::outside_only(object);
         match (&object.shape, self.shear) {
             (Shape::Spheres(list), _) if has::<EFFECTS>(Effects::SPHERES) => {
-                cluster::intersect(list, self.ray, limit, outside_only, true).is_some()
+                spheres::intersect(list, self.ray, limit, outside_only, true).is_some()
             }
             (Shape::Triangles(list), Some(shear)) if has::<EFFECTS>(Effects::TRIANGLES) => {
                 list.iter().any(|t| triangle::intersect(&t.vertices, self.ray, &shear, limit, outside_only).is_some())

@@ -3,13 +3,13 @@
 mod background;
 mod buffer;
 mod camera;
-mod cluster;
 mod effects;
 mod light;
 mod material;
 #[cfg(feature = "nff")]
 pub mod nff;
 mod object;
+mod packed_spheres;
 mod pattern;
 pub mod scenes;
 mod shape;
@@ -18,11 +18,12 @@ mod validate;
 pub use background::Background;
 pub use buffer::{Full, SceneBuf, SceneStore};
 pub use camera::{Aperture, Camera, Extent, Lens};
-pub use cluster::SphereCluster;
 pub use effects::Effects;
 pub use light::{Emitter, Falloff, Light};
 pub use material::{Body, Exponent, Highlight, Interface, Lobe, Material};
 pub use object::{Object, Shadow, Sides};
+pub(crate) use packed_spheres::{Cluster, LANES};
+pub use packed_spheres::{PackedSpheres, SphereList};
 pub use pattern::Pattern;
 pub use shape::{AxisBox, Cone, Disc, Plane, Shape, SmoothTriangle, Sphere, Triangle};
 pub use validate::{Place, SceneError};

@@ -1,6 +1,6 @@
 //! What a scene is made of, geometrically.
 
-use super::SphereCluster;
+use super::SphereList;
 use crate::math::{Real, Vec3};
 
 /// A sphere.
@@ -82,7 +82,7 @@ pub enum Shape<'a, T> {
     /// One sphere.
     Sphere(Sphere<T>),
     /// Many spheres, eight by eight.
-    Spheres(&'a [SphereCluster<T>]),
+    Spheres(SphereList<'a, T>),
     /// An infinite plane.
     Plane(Plane<T>),
     /// A disc.
@@ -153,8 +153,8 @@ impl<T: Real> Shape<'_, T> {
         let sphere = |s: &Sphere<T>| Shape::sphere(point(s.center), convert(s.radius));
         let triangle = |t: &Triangle<T>| Shape::Triangle(Triangle { vertices: t.vertices.map(point) });
         match self {
-            Self::Spheres(clusters) => {
-                return clusters.iter().flat_map(SphereCluster::spheres).nth(index).map(|s| sphere(&s));
+            Self::Spheres(list) => {
+                return list.sphere(index).map(|s| sphere(&s));
             }
             Self::Triangles(list) => return list.get(index).map(triangle),
             _ if index > 0 => return None,

@@ -247,11 +247,10 @@ impl Shape<'_, f32> {
     const fn check(&self) -> Result<(), Fault> {
         match self {
             Shape::Sphere(sphere) => round(sphere.center, sphere.radius),
-            Shape::Spheres(clusters) => {
+            Shape::Spheres(list) => {
                 let mut i = 0;
-                while i < clusters.len() * 8 {
-                    let (c, place) = (&clusters[i / 8], i % 8);
-                    ensure!(round(Vec3::new(c.x[place], c.y[place], c.z[place]), c.radius[place]));
+                while let Some(sphere) = list.sphere(i) {
+                    ensure!(round(sphere.center, sphere.radius));
                     i += 1;
                 }
                 Ok(())

@@ -3,7 +3,7 @@
 use crate::math::{Rgb, Vec3};
 use crate::scene::{
     Aperture, Background, Body, Camera, Emitter, Exponent, Highlight, Interface, Lens, Light, Lobe, Material, Object,
-    Pattern, Scene, Shape, Sphere, SphereCluster, Tone,
+    PackedSpheres, Pattern, Scene, Shape, Sphere, Tone,
 };
 
 /// The letters "aek" in 49 mirrored spheres over a checkered floor, with a soft shadow and depth of field; z is up.
@@ -26,7 +26,7 @@ const SKY: Background<f32> = Background::Sky { horizon: Rgb::new(0.7, 0.6, 1.0),
 /// The rows of the letters from the bottom up; bit k is a sphere at x = k.
 const LETTERS: [u32; 9] = [247_570, 280_596, 280_600, 249_748, 18_578, 18_577, 231_184, 16, 16];
 
-const BALLS: [SphereCluster<f32>; 7] = SphereCluster::pack(&balls());
+const BALLS: PackedSpheres<f32, 1, 7> = PackedSpheres::new(&balls());
 
 #[allow(clippy::indexing_slicing)] // There are 49 set bits; one more would not compile.
 const fn balls() -> [Sphere<f32>; 49] {
@@ -69,7 +69,7 @@ const FLOOR: Material<f32> = Material {
 };
 
 const OBJECTS: [Object<'static, f32>; 2] =
-    [Object::new(Shape::plane(Vec3::ZERO, UP), FLOOR), Object::new(Shape::Spheres(&BALLS), BALL)];
+    [Object::new(Shape::plane(Vec3::ZERO, UP), FLOOR), Object::new(Shape::Spheres(BALLS.view()), BALL)];
 
 const LIGHTS: [Light<f32>; 1] = [Light {
     emitter: Emitter::Parallelogram {

@@ -2,8 +2,8 @@
 
 use crate::math::{Rgb, Vec3};
 use crate::scene::{
-    Background, Camera, Exponent, Extent, Highlight, Interface, Light, Lobe, Material, Object, Scene, Shape, Sphere,
-    SphereCluster,
+    Background, Camera, Exponent, Extent, Highlight, Interface, Light, Lobe, Material, Object, PackedSpheres, Scene,
+    Shape, Sphere,
 };
 
 /// 91 mirrored spheres, each with nine smaller ones around it, over a floor; z is up.
@@ -15,7 +15,7 @@ const CAMERA: Camera<f32> = Camera {
     ..Camera::look_at(Vec3::new(2.1, 1.3, 1.7), Vec3::ZERO, Vec3::new(0.0, 0.0, 1.0), 45.0)
 };
 
-const BALLS: [SphereCluster<f32>; 12] = SphereCluster::pack(&flake_spheres::<91>());
+const BALLS: PackedSpheres<f32, 2, 12> = PackedSpheres::new(&flake_spheres::<91>());
 
 const BALL: Material<f32> = Material {
     highlight: Some(Highlight { color: Rgb::grey(0.5), lobe: Lobe::Blinn, exponent: Exponent::Real(3.0827) }),
@@ -26,7 +26,7 @@ const FLOOR: Material<f32> = Material::matte(Rgb::new(1.0, 0.75, 0.33)).with_sha
 
 const OBJECTS: [Object<'static, f32>; 2] = [
     Object::new(Shape::plane(Vec3::new(0.0, 0.0, -0.5), Vec3::new(0.0, 0.0, 1.0)), FLOOR),
-    Object::new(Shape::Spheres(&BALLS), BALL),
+    Object::new(Shape::Spheres(BALLS.view()), BALL),
 ];
 
 /// 1/√3 each, so that three lights are as bright as one.

@@ -1,0 +1,286 @@
+//! Many spheres in a layout that is quick to search.
+
+use super::Sphere;
+use crate::math::Vec3;
+
+/// Many spheres of one material, packed eight by eight so that a ray is tested against eight at once.
+///
+/// Neighbours are packed together, and around each eight lies a bounding sphere; the bounding spheres are packed eight
+/// by eight as well. A ray looks only into the clusters whose bounding sphere it meets.
+///
+/// `BOUNDS` and `CLUSTERS` follow from the number of spheres: `CLUSTERS` is an eighth of it and `BOUNDS` an eighth of
+/// that, both rounded up.
+///
+/// ```
+/// use whit::scene::{PackedSpheres, Sphere};
+/// use whit::{Shape, Vec3};
+/// const ROW: [Sphere<f32>; 10] = {
+///     let mut row = [Sphere { center: Vec3::new(0.0, 0.0, 0.0), radius: 0.5 }; 10];
+///     let mut i = 0;
+///     while i < 10 {
+///         row[i].center.x = i as f32;
+///         i += 1;
+///     }
+///     row
+/// };
+/// const PACKED: PackedSpheres<f32, 1, 2> = PackedSpheres::new(&ROW);
+/// const SHAPE: Shape<'static, f32> = Shape::Spheres(PACKED.view());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PackedSpheres<T, const BOUNDS: usize, const CLUSTERS: usize> {
+    bounds: [Cluster<T>; BOUNDS],
+    clusters: [Cluster<T>; CLUSTERS],
+}
+
+/// A view of [`PackedSpheres`] without their number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SphereList<'a, T> {
+    /// Lane j of bound i lies around cluster 8·i + j.
+    pub(crate) bounds: &'a [Cluster<T>],
+    pub(crate) clusters: &'a [Cluster<T>],
+}
+
+/// Up to eight spheres, coordinate by coordinate as vector registers want them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Cluster<T> {
+    pub x: [T; LANES],
+    pub y: [T; LANES],
+    pub z: [T; LANES],
+    pub radius: [T; LANES],
+    pub count: u8,
+}
+
+/// How many spheres a cluster has room for.
+pub(crate) const LANES: usize = 8;
+
+impl<T: Copy> Cluster<T> {
+    /// The sphere in one of the lanes.
+    #[inline]
+    #[allow(clippy::indexing_slicing)] // In range by the condition; `get` is not const.
+    pub(crate) const fn sphere(&self, lane: usize) -> Option<Sphere<T>> {
+        if lane >= self.count as usize || lane >= LANES {
+            return None;
+        }
+        let center = Vec3::new(self.x[lane], self.y[lane], self.z[lane]);
+        Some(Sphere { center, radius: self.radius[lane] })
+    }
+}
+
+impl<T: Copy> SphereList<'_, T> {
+    /// A sphere by its number; `None` past the end.
+    #[inline]
+    #[allow(clippy::indexing_slicing)] // In range by the condition; `get` is not const.
+    pub(crate) const fn sphere(&self, number: usize) -> Option<Sphere<T>> {
+        if number / LANES >= self.clusters.len() {
+            return None;
+        }
+        self.clusters[number / LANES].sphere(number % LANES)
+    }
+}
+
+impl<T, const BOUNDS: usize, const CLUSTERS: usize> PackedSpheres<T, BOUNDS, CLUSTERS> {
+    /// The spheres as a [`Shape`](super::Shape) wants them.
+    #[must_use]
+    pub const fn view(&self) -> SphereList<'_, T> {
+        SphereList { bounds: &self.bounds, clusters: &self.clusters }
+    }
+}
+
+#[allow(clippy::indexing_slicing)] // In range by the loops' conditions; iterators are not const.
+impl<const BOUNDS: usize, const CLUSTERS: usize> PackedSpheres<f32, BOUNDS, CLUSTERS> {
+    /// Sorts spheres into clusters of neighbours.
+    ///
+    /// # Panics
+    /// When `BOUNDS` or `CLUSTERS` do not fit the number of spheres, or that is 0; in constant evaluation, where this
+    /// belongs, that is an error of compilation.
+    #[must_use]
+    pub const fn new<const N: usize>(spheres: &[Sphere<f32>; N]) -> Self {
+        assert!(N > 0 && CLUSTERS == N.div_ceil(LANES), "CLUSTERS must be an eighth of the spheres, rounded up");
+        assert!(BOUNDS == CLUSTERS.div_ceil(LANES), "BOUNDS must be an eighth of CLUSTERS, rounded up");
+        let sorted = sort_into_neighbours(spheres);
+        let mut clusters = [Cluster::of(&sorted, 0); CLUSTERS];
+        let mut around = [spheres[0]; CLUSTERS];
+        let mut i = 0;
+        while i < CLUSTERS {
+            clusters[i] = Cluster::of(&sorted, i * LANES);
+            around[i] = bounding_sphere(&clusters[i]);
+            i += 1;
+        }
+        let mut bounds = [Cluster::of(&around, 0); BOUNDS];
+        let mut i = 0;
+        while i < BOUNDS {
+            bounds[i] = Cluster::of(&around, i * LANES);
+            i += 1;
+        }
+        Self { bounds, clusters }
+    }
+}
+
+#[allow(clippy::indexing_slicing)] // In range by the loop's condition.
+impl Cluster<f32> {
+    /// The cluster of the spheres from `first` on; lanes past the last sphere are empty.
+    const fn of<const N: usize>(spheres: &[Sphere<f32>; N], first: usize) -> Self {
+        let mut cluster = Self { x: [0.0; LANES], y: [0.0; LANES], z: [0.0; LANES], radius: [0.0; LANES], count: 0 };
+        let mut lane = 0;
+        while lane < LANES && first + lane < N {
+            let Sphere { center, radius } = spheres[first + lane];
+            (cluster.x[lane], cluster.y[lane], cluster.z[lane]) = (center.x, center.y, center.z);
+            cluster.radius[lane] = radius;
+            lane += 1;
+        }
+        cluster.count = lane as u8;
+        cluster
+    }
+}
+
+/// A sphere around all spheres of a cluster.
+const fn bounding_sphere(cluster: &Cluster<f32>) -> Sphere<f32> {
+    let (mut low, mut high) = ([f64::MAX; 3], [f64::MIN; 3]);
+    let mut lane = 0;
+    while let Some(Sphere { center, radius }) = cluster.sphere(lane) {
+        let reach = radius.abs() as f64;
+        low = [
+            low[0].min(center.x as f64 - reach),
+            low[1].min(center.y as f64 - reach),
+            low[2].min(center.z as f64 - reach),
+        ];
+        high = [
+            high[0].max(center.x as f64 + reach),
+            high[1].max(center.y as f64 + reach),
+            high[2].max(center.z as f64 + reach),
+        ];
+        lane += 1;
+    }
+    let middle = Vec3::new(
+        ((low[0] + high[0]) / 2.0) as f32,
+        ((low[1] + high[1]) / 2.0) as f32,
+        ((low[2] + high[2]) / 2.0) as f32,
+    );
+    let mut reach = 0.0_f64;
+    let mut lane = 0;
+    while let Some(Sphere { center, radius }) = cluster.sphere(lane) {
+        reach = reach.max(distance(middle, center) + radius.abs() as f64);
+        lane += 1;
+    }
+    // Rounded up, so that every sphere is inside.
+    Sphere { center: middle, radius: (reach as f32).next_up() }
+}
+
+/// Halves of halves, each cut across its longest side, until eight or fewer are left together.
+#[allow(clippy::indexing_slicing)] // In range by the loop's condition: at most one cut a bit of `N`.
+const fn sort_into_neighbours<const N: usize>(spheres: &[Sphere<f32>; N]) -> [Sphere<f32>; N] {
+    let mut sorted = *spheres;
+    let (mut first, mut ends, mut depth) = (0, [N; usize::BITS as usize + 1], 1);
+    while depth > 0 {
+        let end = ends[depth - 1];
+        if end - first <= LANES {
+            (first, depth) = (end, depth - 1);
+            continue;
+        }
+        let axis = longest_side(&sorted, first, end);
+        sort(&mut sorted, first, end, axis);
+        ends[depth] = first + (end - first).div_ceil(LANES).div_ceil(2) * LANES;
+        depth += 1;
+    }
+    sorted
+}
+
+/// The axis along which the centres from `first` to before `end` are spread most.
+#[allow(clippy::indexing_slicing)] // In range by the loops' conditions.
+const fn longest_side<const N: usize>(spheres: &[Sphere<f32>; N], first: usize, end: usize) -> u8 {
+    let (mut best, mut widest) = (0, -1.0);
+    let mut axis = 0;
+    while axis < 3 {
+        let (mut low, mut high) = (f32::MAX, f32::MIN);
+        let mut i = first;
+        while i < end {
+            low = low.min(coordinate(spheres[i].center, axis));
+            high = high.max(coordinate(spheres[i].center, axis));
+            i += 1;
+        }
+        if high - low > widest {
+            (best, widest) = (axis, high - low);
+        }
+        axis += 1;
+    }
+    best
+}
+
+/// Sorts the spheres from `first` to before `end` by a coordinate of their centres, by insertion.
+#[allow(clippy::indexing_slicing)] // In range by the loops' conditions.
+const fn sort<const N: usize>(spheres: &mut [Sphere<f32>; N], first: usize, end: usize, axis: u8) {
+    let mut next = first + 1;
+    while next < end {
+        let sphere = spheres[next];
+        let mut place = next;
+        while place > first && coordinate(spheres[place - 1].center, axis) > coordinate(sphere.center, axis) {
+            spheres[place] = spheres[place - 1];
+            place -= 1;
+        }
+        spheres[place] = sphere;
+        next += 1;
+    }
+}
+
+const fn coordinate(v: Vec3<f32>, axis: u8) -> f32 {
+    match axis {
+        0 => v.x,
+        1 => v.y,
+        _ => v.z,
+    }
+}
+
+const fn distance(a: Vec3<f32>, b: Vec3<f32>) -> f64 {
+    let (x, y, z) = (a.x as f64 - b.x as f64, a.y as f64 - b.y as f64, a.z as f64 - b.z as f64);
+    square_root(x * x + y * y + z * z)
+}
+
+/// For constant evaluation, where there is no other: halving the exponent is right to 6 %, and each of Newton's steps
+/// doubles the digits.
+const fn square_root(x: f64) -> f64 {
+    if x == 0.0 {
+        return 0.0;
+    }
+    let mut root = f64::from_bits((x.to_bits() >> 1) + (1023 << 51));
+    let mut steps = 0;
+    while steps < 5 {
+        root = (root + x / root) / 2.0;
+        steps += 1;
+    }
+    root
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::indexing_slicing)]
+mod tests {
+    use super::*;
+    use crate::scene::scenes::flake_spheres;
+    use std::vec::Vec;
+
+    #[test]
+    fn square_root_agrees_with_std() {
+        for x in [0.0, 1e-20, 0.25, 2.0, 1e12, 3e24] {
+            assert!((square_root(x) - x.sqrt()).abs() <= 1e-15 * x.sqrt(), "{x}");
+        }
+    }
+
+    #[test]
+    fn every_sphere_is_packed_once_and_inside_its_bound() {
+        let spheres = flake_spheres::<91>();
+        let packed = PackedSpheres::<f32, 2, 12>::new(&spheres);
+        let list = packed.view();
+        let mut found: Vec<_> = (0..12 * LANES).filter_map(|number| list.sphere(number)).collect();
+        for (i, cluster) in list.clusters.iter().enumerate() {
+            let around = list.bounds[i / LANES].sphere(i % LANES).unwrap();
+            for sphere in (0..LANES).filter_map(|lane| cluster.sphere(lane)) {
+                let far = distance(around.center, sphere.center) + f64::from(sphere.radius);
+                assert!(far <= f64::from(around.radius));
+            }
+        }
+        let mut spheres = spheres.to_vec();
+        let key = |s: &Sphere<f32>| [s.center.x, s.center.y, s.center.z].map(f32::to_bits);
+        spheres.sort_by_key(key);
+        found.sort_by_key(key);
+        assert_eq!(found, spheres);
+    }
+}
