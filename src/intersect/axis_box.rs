@@ -7,16 +7,16 @@ use crate::scene::AxisBox;
 /// The slab in which the ray is inside the box, as entry and exit.
 struct Span<T> {
     enter: T,
-    enter_axis: u8,
+    enter_axis: u32,
     leave: T,
-    leave_axis: u8,
+    leave_axis: u32,
 }
 
 impl<T: Real> Span<T> {
     /// Cuts the span by the slab of one axis; `None` when the ray runs along the slab and outside it. Taking that case
     /// apart keeps 0/0 and 0·∞ out of the test.
     #[inline]
-    fn cut(self, axis: u8, origin: T, direction: T, low: T, high: T) -> Option<Self> {
+    fn cut(self, axis: u32, origin: T, direction: T, low: T, high: T) -> Option<Self> {
         if direction == T::ZERO {
             return (origin >= low && origin <= high).then_some(self);
         }
@@ -45,8 +45,8 @@ pub(crate) fn intersect<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, limit: T, out
     if span.enter > span.leave {
         return None;
     }
-    let entry = Contact { t: span.enter, front: true, part: span.enter_axis };
-    let exit = Contact { t: span.leave, front: false, part: span.leave_axis };
+    let entry = Contact::new(span.enter, true, span.enter_axis);
+    let exit = Contact::new(span.leave, false, span.leave_axis);
     first([entry, exit], limit, outside_only)
 }
 
@@ -54,13 +54,13 @@ pub(crate) fn intersect<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, limit: T, out
 pub(crate) fn surface<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
     let mut point = ray.at(contact.t);
     let mut normal = Vec3::ZERO;
-    let (direction, low, high, coordinate, across) = match contact.part {
+    let (direction, low, high, coordinate, across) = match contact.part() {
         0 => (ray.direction.x, shape.min.x, shape.max.x, &mut point.x, &mut normal.x),
         1 => (ray.direction.y, shape.min.y, shape.max.y, &mut point.y, &mut normal.y),
         _ => (ray.direction.z, shape.min.z, shape.max.z, &mut point.z, &mut normal.z),
     };
     // A ray that goes up enters by the low face and leaves by the high one.
-    let at_low = (direction > T::ZERO) == contact.front;
+    let at_low = (direction > T::ZERO) == contact.front();
     (*coordinate, *across) = if at_low { (low, -T::ONE) } else { (high, T::ONE) };
     Surface::new(point, normal, Vec3::ZERO)
 }

@@ -4,9 +4,9 @@ use super::{Contact, Ray, Surface, plane};
 use crate::math::{Real, Vec3};
 use crate::scene::{Cone, Disc};
 
-const SIDE: u8 = 0;
-const BASE_CAP: u8 = 1;
-const APEX_CAP: u8 = 2;
+const SIDE: u32 = 0;
+const BASE_CAP: u32 = 1;
+const APEX_CAP: u32 = 2;
 
 /// The axis of a cone: the radius is `base_radius` + slope·s at the height s above the base.
 struct Axis<T> {
@@ -39,7 +39,7 @@ pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside
         for (part, cap) in [(BASE_CAP, base_cap(cone)), (APEX_CAP, apex_cap(cone))] {
             let limit = best.map_or(limit, |contact| contact.t);
             if let Some(contact) = plane::intersect_disc(&cap, ray, limit, outside_only) {
-                best = Some(Contact { part, ..contact });
+                best = Some(Contact::new(contact.t, contact.front(), part));
             }
         }
     }
@@ -70,7 +70,7 @@ fn intersect_side<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside_only:
         let front = (gradient < T::ZERO) == solid;
         let t = start + t;
         if t > T::ZERO && t < limit && (front || !outside_only) {
-            return Some(Contact { t, front, part: SIDE });
+            return Some(Contact::new(t, front, SIDE));
         }
     }
     None
@@ -95,7 +95,7 @@ fn roots<T: Real>(a: T, b: T, c: T) -> Option<[T; 2]> {
 
 /// The surface at a contact. A point on the side is moved across the axis onto it.
 pub(crate) fn surface<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
-    match contact.part {
+    match contact.part() {
         BASE_CAP => return plane::disc_surface(&base_cap(cone), ray, contact),
         APEX_CAP => return plane::disc_surface(&apex_cap(cone), ray, contact),
         _ => {}

@@ -44,7 +44,7 @@ pub(super) fn meet<T: Real>(
         (if far > T::ZERO { c / far } else { far }, far)
     };
     let solid = sphere.radius > T::ZERO;
-    first([Contact { t: near, front: solid, part: 0 }, Contact { t: far, front: !solid, part: 0 }], limit, outside_only)
+    first([Contact::new(near, solid, 0), Contact::new(far, !solid, 0)], limit, outside_only)
 }
 
 /// The surface at a contact. The point is moved onto the sphere, so its error does not grow with the distance.

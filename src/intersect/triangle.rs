@@ -83,7 +83,7 @@ pub(crate) fn intersect<T: Real>(
     // The sheared triangle turns clockwise, seen along the ray, when the sum is positive.
     let front = (crossing.sum > T::ZERO) == (shear.z > T::ZERO);
     let t = crossing.t;
-    (t > T::ZERO && t < limit && (front || !outside_only)).then_some(Contact { t, front, part: 0 })
+    (t > T::ZERO && t < limit && (front || !outside_only)).then_some(Contact::new(t, front, 0))
 }
 
 /// The surface of a flat triangle at a contact.

@@ -86,6 +86,7 @@ pub struct Frame<'a, T, const EFFECTS: u64, const DEPTH: usize, O = ()> {
     cursor: Cursor,
     phase: Phase<T>,
     pixel: Accumulator<T>,
+    sequence: Sequence,
     tree: RayTree<'a, T, DEPTH>,
     observer: O,
 }
@@ -112,10 +113,12 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer> Frame<'a,
         observer: O,
     ) -> Result<Self, SettingsError> {
         settings.check(DEPTH)?;
+        let cursor = Cursor::new(settings.size.width, &settings.rows, settings.order);
         Ok(Self {
             tracer: *tracer,
             view: View::new(&tracer.scene().camera, settings.size),
-            cursor: Cursor::new(settings.size.width, &settings.rows, settings.order),
+            sequence: Sequence::new(cursor.x, cursor.y),
+            cursor,
             settings,
             phase: Phase::Sample,
             pixel: Accumulator::EMPTY,
@@ -162,10 +165,9 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer> Frame<'a,
                     let Cursor { x, y, cell, .. } = self.cursor;
                     let pixel = Pixel { x, y, cell, color: color.map(T::to_f32) };
                     target.put(pixel).map_err(RenderError::Framebuffer)?;
-                    self.phase = match self.cursor.advance(self.settings.size.width, &self.settings.rows) {
-                        Next::SameRow => Phase::Sample,
-                        Next::OtherRow | Next::End => Phase::EndRow(y),
-                    };
+                    let next = self.cursor.advance(self.settings.size.width, &self.settings.rows);
+                    self.sequence = Sequence::new(self.cursor.x, self.cursor.y);
+                    self.phase = if next == Next::SameRow { Phase::Sample } else { Phase::EndRow(y) };
                 }
                 Phase::EndRow(y) => {
                     target.end_row(y).map_err(RenderError::Framebuffer)?;
@@ -177,7 +179,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer> Frame<'a,
     }
 
     fn samples(&self) -> Samples {
-        Samples { sequence: Sequence::new(self.cursor.x, self.cursor.y), index: self.pixel.count }
+        Samples { sequence: self.sequence, index: self.pixel.count }
     }
 
     fn start_sample(&mut self) {

@@ -49,8 +49,8 @@ impl Sequence {
         y ^= (y & 0xf0f0_f0f0) >> 4;
         y ^= (y & 0xcccc_cccc) >> 2;
         y ^= (y & 0xaaaa_aaaa) >> 1;
-        let flips = mix(seed);
-        [x ^ flips, y ^ flips.wrapping_mul(0x2c1b_3c6d)]
+        let flips = seed.wrapping_mul(0x2c1b_3c6d);
+        [x ^ flips, y ^ flips.rotate_left(16)]
     }
 
     /// Point `index` of a dimension in [0, 1)².

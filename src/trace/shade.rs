@@ -30,6 +30,7 @@ pub(crate) struct Shading<'a, T> {
 
 impl<'a, T: Real> Shading<'a, T> {
     /// `front` tells whether `surface` was met from outside. `None` when the material has nothing to be lit.
+    #[inline(always)]
     pub(crate) fn new<const EFFECTS: u64>(
         material: &'a Material<T>,
         surface: &Surface<T>,
@@ -71,6 +72,7 @@ impl<'a, T: Real> Shading<'a, T> {
     }
 
     /// Looks at the lights, one shadow ray each, until all are done or `rays` is used up; `true` when all are done.
+    #[inline(always)]
     pub(crate) fn advance<const EFFECTS: u64, O: Observer>(
         &mut self,
         scene: &Scene<'_, T>,

@@ -88,38 +88,51 @@ impl<'a, T: Real> Walk<'a, T> {
         rays: &mut u32,
         observer: &mut O,
     ) -> bool {
-        loop {
-            if let Some(shading) = &mut self.shading {
-                let before = *rays;
-                let scene = context.scene;
-                let done = shading.advance::<EFFECTS, O>(scene, &context.samples, &mut self.gathered, rays, observer);
-                self.rays_left = self.rays_left.saturating_sub(before - *rays);
-                if !done {
-                    return false;
-                }
-                self.shading = None;
+        // A copy that never has an address can live in registers.
+        let mut walk = *self;
+        let done = loop {
+            if !walk.light::<EFFECTS, O>(context, rays, observer) {
+                break false;
             }
-            if self.current.is_none() {
-                self.current = pending.pop();
-            }
-            let Some(branch) = self.current else { return true };
+            let Some(branch) = walk.current.take().or_else(|| pending.pop()) else { break true };
             if *rays == 0 {
-                return false;
+                walk.current = Some(branch);
+                break false;
             }
             *rays -= 1;
-            self.current = None;
             // The branch and a shadow ray to each light must be paid for, so that no point is left half lit.
-            if self.rays_left as usize <= context.scene.lights.len() {
-                self.cut::<EFFECTS, O>(context, &branch, Cut::Rays, observer);
+            if walk.rays_left as usize <= context.scene.lights.len() {
+                walk.cut::<EFFECTS, O>(context, &branch, Cut::Rays, observer);
                 continue;
             }
-            self.rays_left -= 1;
+            walk.rays_left -= 1;
             observer.ray(branch.kind);
-            self.follow::<EFFECTS, O>(&branch, pending, context, observer);
+            walk.follow::<EFFECTS, O>(&branch, pending, context, observer);
+        };
+        *self = walk;
+        done
+    }
+
+    /// Looks at the lights of the surface that was met last; `false` when `rays` is used up first.
+    #[inline(always)]
+    fn light<const EFFECTS: u64, O: Observer>(
+        &mut self,
+        context: &Context<'_, 'a, T>,
+        rays: &mut u32,
+        observer: &mut O,
+    ) -> bool {
+        let Some(mut shading) = self.shading.take() else { return true };
+        let before = *rays;
+        let done = shading.advance::<EFFECTS, O>(context.scene, &context.samples, &mut self.gathered, rays, observer);
+        self.rays_left = self.rays_left.saturating_sub(before - *rays);
+        if !done {
+            self.shading = Some(shading);
         }
+        done
     }
 
     /// Follows a branch to the next surface: looks at its lights next, and spawns its children.
+    #[inline(always)]
     fn follow<const EFFECTS: u64, O: Observer>(
         &mut self,
         branch: &Branch<T>,
@@ -133,7 +146,7 @@ impl<'a, T: Real> Walk<'a, T> {
             return;
         };
         let surface = hit.surface::<EFFECTS>(&branch.ray);
-        let (front, incident) = (hit.contact.front, branch.ray.direction);
+        let (front, incident) = (hit.contact.front(), branch.ray.direction);
         let material = &hit.object.material;
         self.shading = Shading::new::<EFFECTS>(material, &surface, front, incident, branch.throughput, branch.depth);
         if let Some(shading) = &self.shading {
@@ -158,6 +171,7 @@ impl<'a, T: Real> Walk<'a, T> {
     }
 
     /// Takes a branch into the walk, unless it weighs nothing or the budget cuts it.
+    #[inline(always)]
     fn spawn<const EFFECTS: u64, O: Observer>(
         &mut self,
         branch: Branch<T>,
