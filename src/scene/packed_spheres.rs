@@ -78,6 +78,13 @@ impl<T: Copy> SphereList<'_, T> {
     }
 }
 
+impl<T: Copy> SphereList<'_, T> {
+    /// The spheres, in the order in which they were packed.
+    pub fn iter(&self) -> impl Iterator<Item = Sphere<T>> {
+        self.clusters.iter().flat_map(|cluster| (0..LANES).filter_map(|lane| cluster.sphere(lane)))
+    }
+}
+
 impl<T, const BOUNDS: usize, const CLUSTERS: usize> PackedSpheres<T, BOUNDS, CLUSTERS> {
     /// The spheres as a [`Shape`](super::Shape) wants them.
     #[must_use]
@@ -269,7 +276,7 @@ mod tests {
         let spheres = flake_spheres::<91>();
         let packed = PackedSpheres::<f32, 2, 12>::new(&spheres);
         let list = packed.view();
-        let mut found: Vec<_> = (0..12 * LANES).filter_map(|number| list.sphere(number)).collect();
+        let mut found: Vec<_> = list.iter().collect();
         for (i, cluster) in list.clusters.iter().enumerate() {
             let around = list.bounds[i / LANES].sphere(i % LANES).unwrap();
             for sphere in (0..LANES).filter_map(|lane| cluster.sphere(lane)) {

@@ -75,7 +75,7 @@ impl Primitive {
             |t: &whit::scene::Triangle<f32>| Self::Triangle { vertices: t.vertices.map(Vector::from), normals: None };
         match object.shape {
             Shape::Sphere(s) => vec![sphere(&s)],
-            Shape::Spheres(list) => list.iter().map(sphere).collect(),
+            Shape::Spheres(list) => list.iter().map(|s| sphere(&s)).collect(),
             Shape::Triangle(t) => vec![triangle(&t)],
             Shape::Triangles(list) => list.iter().map(triangle).collect(),
             Shape::SmoothTriangle(t) => vec![Self::Triangle {
