@@ -62,20 +62,17 @@ struct Facing<T> {
 impl<T: Real> Facing<T> {
     fn new(surface: &Surface<T>, front: bool, incident: Vec3<T>) -> Self {
         let sided = |v: Vec3<T>| if front { v } else { -v };
-        let geometric = sided(surface.normal);
-        let normal = sided(surface.shading);
-        // A shading normal that faces away from the ray cannot be reflected at.
-        let normal = if normal.dot(incident) < T::ZERO { normal } else { geometric };
-        Self { geometric, normal, incident, front }
+        Self { geometric: sided(surface.normal), normal: sided(surface.shading), incident, front }
     }
 
+    /// The cosine of the angle of incidence; 0 for a shading normal that faces away from the ray.
     fn cosine(&self, normal: Vec3<T>) -> T {
         (-self.incident.dot(normal)).max(T::ZERO).min(T::ONE)
     }
 
     /// The reflected direction, at the geometric normal where the shading normal would send it into the surface.
     fn reflected(&self) -> Vec3<T> {
-        let direction = reflect(self.incident, self.normal, self.cosine(self.normal)).normalized();
+        let direction = reflect(self.incident, self.normal, -self.incident.dot(self.normal)).normalized();
         if direction.dot(self.geometric) > T::ZERO {
             return direction;
         }
@@ -99,6 +96,9 @@ impl<T: Real> Facing<T> {
             let is_total = transmitted.is_none();
             Split { reflected: Some((self.reflected(), reflected)), transmitted, is_total }
         };
+        if self.normal.dot(self.incident) >= T::ZERO {
+            return at(self.geometric);
+        }
         let split = at(self.normal);
         match split.transmitted {
             // A shading normal can send the refracted ray to the wrong side; the geometric normal cannot.

@@ -1,0 +1,231 @@
+//! Frames: the same bits however they are cut into steps, rows, orders and workers; budgets and their counts.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
+
+#[path = "support/framebuffers.rs"]
+mod framebuffers;
+
+use framebuffers::{Counting, Failing, Failure};
+use whit::render::{LinearRgb, Order, Progress, RenderError, Sampling, SettingsError, Size};
+use whit::trace::{Budget, Dropped, Termination};
+use whit::{Effects, Frame, Rgb, Scene, Settings, Stats, Tracer, scenes};
+
+const WIDTH: u32 = 40;
+const HEIGHT: u32 = 30;
+const ALL: u64 = Effects::ALL.bits();
+
+fn settings() -> Settings<f32> {
+    Settings::new(WIDTH, HEIGHT)
+}
+
+/// Renders with a function that drives the frame.
+fn picture(
+    scene: &Scene<'_, f32>,
+    settings: Settings<f32>,
+    drive: impl Fn(&mut Frame<'_, f32, ALL, 16, Stats>, &mut LinearRgb<'_>),
+) -> (Vec<Rgb<f32>>, Stats) {
+    let mut pixels = vec![Rgb::grey(-1.0); settings.size.pixels() as usize];
+    let mut target = LinearRgb::new(settings.size, &mut pixels).unwrap();
+    let tracer = Tracer::try_new(scene).unwrap();
+    let mut frame = Frame::observed(&tracer, settings, Stats::default()).unwrap();
+    drive(&mut frame, &mut target);
+    let stats = *frame.observer();
+    (pixels, stats)
+}
+
+fn whole(scene: &Scene<'_, f32>, settings: Settings<f32>) -> (Vec<Rgb<f32>>, Stats) {
+    picture(scene, settings, |frame, target| frame.render(target).unwrap())
+}
+
+fn bits(pixels: &[Rgb<f32>]) -> Vec<[u32; 3]> {
+    pixels.iter().map(|color| [color.r.to_bits(), color.g.to_bits(), color.b.to_bits()]).collect()
+}
+
+#[test]
+fn steps_do_not_change_a_bit() {
+    for (name, scene) in scenes::ALL {
+        for sampling in [Sampling::Grid(1), Sampling::Sequence(3)] {
+            let settings = settings().with_sampling(sampling);
+            let (expected, counted) = whole(&scene, settings.clone());
+            for rays in [1, 2, 7, 1000] {
+                let (stepped, stats) =
+                    picture(
+                        &scene,
+                        settings.clone(),
+                        |frame, target| {
+                            while frame.step(rays, target).unwrap() == Progress::More {}
+                        },
+                    );
+                assert_eq!(bits(&stepped), bits(&expected), "{name} by {rays}");
+                assert_eq!(stats, counted, "{name} by {rays}");
+            }
+        }
+    }
+}
+
+/// Each step traces exactly as many rays as it was given, but for the last.
+#[test]
+fn a_step_keeps_to_its_rays() {
+    let (_, stats) = picture(&scenes::SHOWCASE, settings(), |frame, target| {
+        let mut steps = 0;
+        while frame.step(5, target).unwrap() == Progress::More {
+            steps += 1;
+            assert_eq!(frame.observer().rays(), 5 * steps);
+        }
+    });
+    assert!(stats.rays() > 1000);
+}
+
+#[test]
+fn rows_orders_and_workers_do_not_change_a_bit() {
+    let adaptive = Sampling::Adaptive { first: 2, most: 6, contrast: 0.05 };
+    for sampling in [Sampling::Grid(2), Sampling::Sequence(4), adaptive] {
+        let settings = settings().with_sampling(sampling);
+        let (expected, _) = whole(&scenes::CARD, settings.clone());
+        let coarse = Settings { order: Order::CoarseToFine, ..settings.clone() };
+        assert_eq!(bits(&whole(&scenes::CARD, coarse).0), bits(&expected));
+        let rows = |y: u32| {
+            let settings = Settings { rows: y..(y + 7).min(HEIGHT), ..settings.clone() };
+            std::thread::spawn(move || whole(&scenes::CARD, settings).0)
+        };
+        let workers: Vec<_> = (0..HEIGHT).step_by(7).rev().map(|y| (y as usize, rows(y))).collect();
+        for (y, worker) in workers {
+            let part = worker.join().unwrap();
+            let range = y * WIDTH as usize..((y + 7) * WIDTH as usize).min(expected.len());
+            assert_eq!(bits(&part[range.clone()]), bits(&expected[range.clone()]));
+            assert!(part[..range.start].iter().all(|color| color.r == -1.0), "other rows are left alone");
+        }
+    }
+}
+
+#[test]
+fn every_pixel_is_put_once_and_every_row_ended() {
+    for (order, ends) in [(Order::Rows, 1), (Order::CoarseToFine, 0)] {
+        let mut pixels = vec![Rgb::BLACK; settings().size.pixels() as usize];
+        let mut target = Counting::new(LinearRgb::new(settings().size, &mut pixels).unwrap());
+        let tracer = whit::tracer!(scenes::SHOWCASE);
+        Frame::new(&tracer, Settings { order, ..settings() }).unwrap().render(&mut target).unwrap();
+        assert!(target.pixels.iter().all(|&n| n == 1));
+        assert!(target.rows.iter().all(|&n| n >= 1 && (ends == 0 || n == ends)));
+    }
+}
+
+/// An error of the target at any call stops the frame there, is returned, and the frame goes on as if it had not been.
+#[test]
+fn a_failing_target_loses_nothing() {
+    let size = Size::new(9, 4);
+    let settings = || Settings { order: Order::CoarseToFine, ..Settings::new(size.width, size.height) };
+    let expected = {
+        let mut pixels = [Rgb::BLACK; 36];
+        let tracer = whit::tracer!(scenes::SPHERES);
+        Frame::new(&tracer, settings()).unwrap().render(&mut LinearRgb::new(size, &mut pixels).unwrap()).unwrap();
+        pixels
+    };
+    for call in 0..50 {
+        let mut pixels = [Rgb::BLACK; 36];
+        let tracer = whit::tracer!(scenes::SPHERES);
+        let mut target = Failing::new(Counting::new(LinearRgb::new(size, &mut pixels).unwrap()), call);
+        let mut frame = Frame::new(&tracer, settings()).unwrap();
+        let failed = frame.render(&mut target);
+        if target.calls() > call {
+            assert_eq!(failed, Err(RenderError::Framebuffer(Failure::Planned)), "call {call}");
+        }
+        frame.render(&mut target).unwrap();
+        assert!(target.inner.pixels.iter().all(|&n| n == 1), "call {call}");
+        assert_eq!(pixels, expected, "call {call}");
+    }
+}
+
+#[test]
+fn wrong_sizes_and_settings_are_named() {
+    let tracer = whit::tracer!(scenes::SPHERES, 3);
+    let refused = |settings| Frame::new(&tracer, settings).map(|_| ()).unwrap_err().to_string();
+    assert_eq!(refused(Settings::new(0, 5)), "a picture of 0×5: expected 1 to 1048576 pixels a side");
+    assert_eq!(refused(settings().with_depth(4)), "depth 4: the tracer's stack has room for 3");
+    let rows = Settings { rows: 5..31, ..settings().with_depth(3) };
+    assert_eq!(refused(rows), "rows 5..31: expected one row or more within 0..30");
+    assert_eq!(
+        refused(settings().with_depth(3).with_sampling(Sampling::Grid(0))),
+        "samples: expected at least 1 a pixel"
+    );
+    let cutoff = Budget { cutoff: f32::NAN, ..Budget::with_depth(3) };
+    let settings_with = |budget| Settings { budget, ..settings() };
+    assert_eq!(refused(settings_with(cutoff)), "cutoff: expected a finite number of at least 0");
+    let black = Budget { termination: Termination::Color(Rgb::new(0.0, f32::INFINITY, 0.0)), ..Budget::with_depth(3) };
+    assert_eq!(Frame::new(&tracer, settings_with(black)).map(|_| ()), Err(SettingsError::NotAnAmount("termination")));
+
+    let mut pixels = [Rgb::BLACK; 12];
+    let mut small = LinearRgb::new(Size::new(4, 3), &mut pixels).unwrap();
+    let error = Frame::new(&tracer, settings().with_depth(3)).unwrap().render(&mut small).unwrap_err();
+    assert_eq!(error.to_string(), "the framebuffer has 4×3 pixels and the frame 40×30");
+}
+
+#[test]
+fn depth_zero_is_eye_rays_alone() {
+    let (_, stats) = whole(&scenes::SHOWCASE, settings().with_depth(0));
+    assert_eq!((stats.eye, stats.reflected, stats.transmitted), (u64::from(WIDTH * HEIGHT), 0, 0));
+    assert!(stats.cut_by_depth > 0 && stats.shadow > 0);
+}
+
+/// A pixel never takes more rays than its budget, shadow rays included, whatever the number of samples.
+#[test]
+fn rays_per_pixel_are_kept() {
+    for rays_per_pixel in [0, 1, 3, 7, 20, 100] {
+        for samples in [1, 3] {
+            let budget = Budget { rays_per_pixel, ..Budget::with_depth(8) };
+            let one_pixel = |x| Settings { budget, ..Settings::new(x, 1) }.with_sampling(Sampling::Sequence(samples));
+            for width in 1..12 {
+                let (pixels, stats) = whole(&scenes::SHOWCASE, one_pixel(width));
+                assert!(stats.rays() <= u64::from(rays_per_pixel * width), "{stats:?}");
+                assert!(pixels.iter().all(|color| color.max_channel().is_finite()));
+            }
+        }
+    }
+    let budget = Budget { rays_per_pixel: 7, ..Budget::with_depth(8) };
+    let (_, stats) = whole(&scenes::SHOWCASE, Settings { budget, ..settings() });
+    assert!(stats.cut_by_budget > 100, "{stats:?}");
+}
+
+/// With nothing but mirrors, what is seen and what was cut weigh 1 together: here everything but the cut is black.
+#[test]
+fn the_dropped_throughput_is_what_the_termination_shows() {
+    let mut scene = scenes::MIRRORS;
+    scene.background = whit::Background::Solid(Rgb::BLACK);
+    scene.lights = &[];
+    let objects: Vec<_> = scene
+        .objects
+        .iter()
+        .map(|object| {
+            let mut object = *object;
+            if let Some(body) = &mut object.material.body {
+                body.emission = 0.0;
+            }
+            object
+        })
+        .collect();
+    scene.objects = &objects;
+    for sampling in [Sampling::Grid(1), Sampling::Sequence(4)] {
+        let budget = Budget { termination: Termination::Color(Rgb::WHITE), cutoff: 0.5, ..Budget::with_depth(4) };
+        let settings = Settings { budget, ..settings() }.with_sampling(sampling);
+        let mut pixels = vec![Rgb::BLACK; settings.size.pixels() as usize];
+        let mut dropped = pixels.clone();
+        let tracer = Tracer::<f32, ALL, 4>::try_new(&scene).unwrap();
+        let keep = Dropped::new(|x, y, weight| dropped[(y * WIDTH + x) as usize] = weight);
+        let mut target = LinearRgb::new(settings.size, &mut pixels).unwrap();
+        Frame::observed(&tracer, settings, keep).unwrap().render(&mut target).unwrap();
+        assert!(dropped.iter().any(|color| color.r > 0.0));
+        for (shown, dropped) in pixels.iter().zip(&dropped) {
+            assert!((shown.r - dropped.r).abs() < 1e-6 && (shown.b - dropped.b).abs() < 1e-6);
+        }
+    }
+}
+
+/// Contrast above the threshold takes all samples, and a flat pixel only the first ones.
+#[test]
+fn adaptive_samples_go_where_the_contrast_is() {
+    let (_, stats) =
+        whole(&scenes::SPHERES, settings().with_sampling(Sampling::Adaptive { first: 4, most: 16, contrast: 0.1 }));
+    let pixels = u64::from(WIDTH * HEIGHT);
+    assert!(stats.eye > 4 * pixels && stats.eye < 12 * pixels, "{stats:?}");
+    let flat = Sampling::Adaptive { first: 4, most: 16, contrast: 1e9 };
+    assert_eq!(whole(&scenes::SPHERES, settings().with_sampling(flat)).1.eye, 4 * pixels);
+}
