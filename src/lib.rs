@@ -1,17 +1,95 @@
-//! stub
+//! A Whitted ray tracer with a fixed budget: every byte of memory is known when it compiles, and every ray is counted
+//! while it runs.
+//!
+//! The library needs no standard library, no allocator and no recursion. It renders on a microcontroller, in a web
+//! page or on a workstation, and the same scene gives the same bits on all of them.
+//!
+//! ```
+//! use whit::render::{Encoding, Rgb888, Size};
+//! use whit::{Frame, Settings};
+//!
+//! let mut bytes = [0; 64 * 48 * 3]; // The memory is the caller's.
+//! let mut target = Rgb888::new(Size::new(64, 48), &mut bytes, Encoding::Srgb).unwrap();
+//! let tracer = whit::tracer!(whit::scenes::SHOWCASE); // Code for what the scene calls for, and no more.
+//! let mut frame = Frame::new(&tracer, Settings::new(64, 48)).unwrap();
+//! frame.render(&mut target).unwrap();
+//! assert!(bytes.iter().any(|&byte| byte > 200));
+//! ```
+//!
+//! # The walk of a pixel
+//!
+//! ```text
+//! Camera ──ray──▶ RayTree ──ray──▶ path ──ray──▶ intersect ──hit──▶ shade ──▶ pixel += throughput × light
+//!                   ▲                                                 │
+//!                   └────────── reflected / transmitted branch ───────┘
+//! pixels ──▶ mean of the samples ──▶ Framebuffer (RGB888, RGB565, grey, 1 bit, linear, draw target, closure)
+//! ```
+//!
+//! Light is gathered forwards: a branch of the ray tree carries the throughput of its whole path to the eye. The walk
+//! keeps one current branch and puts only its sibling aside, so a tree of depth `DEPTH` needs a stack of exactly
+//! `DEPTH` entries. A [`Frame`] holds all of its state, so it can stop at any ray and go on later.
+//!
+//! # The rooms
+//!
+//! | module | what lives there |
+//! |---|---|
+//! | [`math`] | the scalar trait [`Real`], vectors, colours |
+//! | [`optics`] | pure functions: reflection, refraction, Schlick's approximation |
+//! | [`scene`] | what a user describes: camera, shapes, materials, lights, background; [`Effects`]; files |
+//! | `intersect` | rays against shapes, error-bounded surface points |
+//! | `path` | how light gets to the next surface |
+//! | [`trace`] | the ray tree, its [`Budget`], shading, observers |
+//! | [`render`] | camera samples, scanlines, the resumable [`Frame`], framebuffers |
+//!
+//! Each knows only those above it.
+//!
+//! # Conventions
+//!
+//! - Space is right-handed. A picture's rows are counted from the top and its columns from the left.
+//! - Lengths are in scene units, as the user chooses them; there is no fixed epsilon anywhere. Coordinates go up to
+//!   1e12.
+//! - Angles are in degrees where a name says so ([`Camera::look_at`]), and else come as their tangent or cosine.
+//! - Colours are linear light in the primaries of Rec. 709; the framebuffer encodes them ([`render::Encoding`]).
+//! - The outside of a shape is where its normal points; the index of refraction changes from [`Scene::index`] to the
+//!   material's where a ray goes in.
+//! - Every random-looking number is a function of pixel, sample and dimension ([`trace::Sequence`]); nothing depends on
+//!   the order of work.
+//!
+//! # Memory
+//!
+//! A [`Frame`] is all the state there is. In bytes, on a 64-bit machine:
+//!
+//! | `DEPTH` | 0 | 1 | 2 | 3 | 4 | 5 | 8 | 16 | 64 |
+//! |---|---|---|---|---|---|---|---|---|---|
+//! | `f32` | 384 | 424 | 464 | 504 | 544 | 584 | 704 | 1024 | 2944 |
+//! | `f64` | 672 | 752 | 832 | 912 | 992 | 1072 | 1312 | 1952 | 5792 |
+//!
+//! A test asserts these numbers. The picture's memory is the caller's.
+//!
+//! # Features
+//!
+//! - `nff` (default): the reader of Neutral File Format scenes, [`scene::nff`].
+//! - `embedded-graphics`: framebuffers over any `embedded_graphics` draw target.
 #![cfg_attr(not(test), no_std)]
-pub mod intersect;
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
+/// The README's programs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
+mod intersect;
 pub mod math;
 pub mod optics;
 mod path;
 pub mod render;
 pub mod scene;
 pub mod trace;
+
 pub use intersect::Ray;
 pub use math::{Real, Rgb, Vec3};
 pub use render::{Frame, Framebuffer, Settings};
-pub use scene::scenes;
 pub use scene::{
-    Background, Camera, Effects, Interface, Lens, Light, Material, Object, Pattern, Scene, SceneBuf, Shape, Tone,
+    Background, Camera, Effects, Interface, Light, Material, Object, Pattern, Scene, SceneBuf, Shape, Tone, scenes,
 };
-pub use trace::{Budget, Stats, Termination, Tracer};
+pub use trace::{Budget, Observer, Stats, Termination, Tracer};

@@ -80,7 +80,7 @@ impl Arguments {
             termination: self.termination,
         };
         let settings = Settings { rows, sampling, budget, ..Settings::new(size.width, size.height) };
-        Job::new(settings, self.threads, self.dropped.is_some())
+        Job::new(settings, self.threads)
     }
 }
 

@@ -12,25 +12,24 @@ use whit::{Rgb, Stats, Tracer};
 pub struct Job {
     settings: Settings<f32>,
     threads: usize,
-    keep_dropped: bool,
 }
 
 /// What came of it.
 pub struct Picture {
     pub width: u32,
     pub pixels: Vec<Rgb<f32>>,
-    /// The throughput that was cut, if it was asked for.
+    /// The throughput that was cut.
     pub dropped: Vec<Rgb<f32>>,
     pub stats: Stats,
 }
 
 impl Job {
-    pub fn new(settings: Settings<f32>, threads: usize, keep_dropped: bool) -> Result<Self, String> {
+    pub fn new(settings: Settings<f32>, threads: usize) -> Result<Self, String> {
         let (rows, height) = (&settings.rows, settings.size.height);
         if rows.end > height {
             return Err(format!("--rows {}..{}: the picture has {height} rows", rows.start, rows.end));
         }
-        Ok(Self { settings, threads, keep_dropped })
+        Ok(Self { settings, threads })
     }
 }
 
@@ -42,32 +41,19 @@ pub fn trace<const EFFECTS: u64, const DEPTH: usize>(
     let width = job.settings.size.width as usize;
     let count = job.settings.rows.len() * width;
     let mut pixels = black(count)?;
-    let mut dropped = black(if job.keep_dropped { count } else { 0 })?;
+    let mut dropped = black(count)?;
     let pool = rayon::ThreadPoolBuilder::new().num_threads(job.threads).build().map_err(|error| error.to_string())?;
     let bar = progress_bar(job.settings.rows.len());
-    let row = |(y, (pixels, dropped)): (u32, (&mut [Rgb<f32>], &mut [Rgb<f32>]))| {
-        let stats = if dropped.is_empty() {
-            let observer = Stats::default();
-            *trace_row(tracer, &job.settings, y, pixels, observer)?.observer()
-        } else {
-            let keep = |x: u32, _, weight| set(dropped, x, weight);
-            trace_row(tracer, &job.settings, y, pixels, (Stats::default(), Dropped::new(keep)))?.observer().0
-        };
-        bar.inc(1);
-        Ok::<Stats, String>(stats)
-    };
     let stats = pool.install(|| {
         let rows = job.settings.rows.clone().into_par_iter();
-        // Rows without a place for their dropped light get an empty slice.
-        if job.keep_dropped {
-            rows.zip(pixels.par_chunks_mut(width).zip(dropped.par_chunks_mut(width)))
-                .map(row)
-                .try_reduce(Stats::default, |a, b| Ok(a.plus(b)))
-        } else {
-            rows.zip(pixels.par_chunks_mut(width).map(|pixels| (pixels, Default::default())))
-                .map(row)
-                .try_reduce(Stats::default, |a, b| Ok(a.plus(b)))
-        }
+        let places = pixels.par_chunks_mut(width).zip(dropped.par_chunks_mut(width));
+        let row = |(y, (pixels, dropped)): (u32, (&mut [_], &mut [_]))| {
+            let keep = Dropped::new(|x, _, weight| set(dropped, x, weight));
+            let stats = trace_row(tracer, &job.settings, y, pixels, (Stats::default(), keep))?.observer().0;
+            bar.inc(1);
+            Ok::<Stats, String>(stats)
+        };
+        rows.zip(places).map(row).try_reduce(Stats::default, |a, b| Ok(a.plus(b)))
     });
     bar.finish_and_clear();
     Ok(Picture { width: width as u32, pixels, dropped, stats: stats? })

@@ -69,10 +69,10 @@ enum Phase<T> {
 /// the picture: the pixels have the same bits.
 ///
 /// ```
-/// use whit::render::{Frame, LinearRgb, Progress, Settings};
+/// use whit::render::{Frame, LinearRgb, Progress, Settings, Size};
 /// let tracer = whit::tracer!(whit::scenes::SHOWCASE);
 /// let mut pixels = [whit::Rgb::BLACK; 32 * 24];
-/// let mut target = LinearRgb::new(32, 24, &mut pixels).unwrap();
+/// let mut target = LinearRgb::new(Size::new(32, 24), &mut pixels).unwrap();
 /// let mut frame = Frame::new(&tracer, Settings::new(32, 24)).unwrap();
 /// while frame.step(100, &mut target).unwrap() == Progress::More {
 ///     // About 100 rays later: look after something else.
@@ -90,6 +90,9 @@ pub struct Frame<'a, T, const EFFECTS: u64, const DEPTH: usize, O = ()> {
     tree: RayTree<'a, T, DEPTH>,
     observer: O,
 }
+
+// What is asked of a frame of five bounces.
+const _: () = assert!(size_of::<Frame<'_, f32, 0, 5>>() <= 1024);
 
 impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize> Frame<'a, T, EFFECTS, DEPTH> {
     /// A frame that is about to begin.

@@ -258,7 +258,6 @@ const fn square_root(x: f64) -> f64 {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, clippy::indexing_slicing)]
 mod tests {
     use super::*;
     use crate::scene::scenes::flake_spheres;

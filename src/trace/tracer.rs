@@ -12,6 +12,30 @@ use crate::scene::{Effects, Scene, SceneError};
 /// Code for other effects is not compiled, so a scene that needs more is refused: by the compiler for a constant scene
 /// ([`tracer!`](crate::tracer!), [`Tracer::new`]), by an error for one that is known only at run time
 /// ([`Tracer::try_new`]).
+///
+/// A tracer of its scene's own effects compiles:
+///
+/// ```
+/// use whit::{Tracer, scenes::SHOWCASE};
+/// static TRACER: Tracer<f32, { SHOWCASE.effects().bits() }, 5> = Tracer::new(&SHOWCASE);
+/// ```
+///
+/// One effect fewer does not:
+///
+/// ```compile_fail,E0080
+/// use whit::{Effects, Tracer, scenes::SHOWCASE};
+/// static TRACER: Tracer<f32, { SHOWCASE.effects().without(Effects::CONE).bits() }, 5> = Tracer::new(&SHOWCASE);
+/// ```
+///
+/// Nor does a number that no scene may hold:
+///
+/// ```compile_fail,E0080
+/// use whit::{Background, Camera, Rgb, Scene, Tracer, Vec3};
+/// const UP: Vec3<f32> = Vec3::new(0.0, 1.0, 0.0);
+/// const CAMERA: Camera<f32> = Camera::look_at(UP, UP, UP, 40.0);
+/// static SCENE: Scene<'static, f32> = Scene::new(CAMERA, Background::Solid(Rgb::grey(0.5)));
+/// static TRACER: Tracer<f32, 0, 5> = Tracer::new(&SCENE);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Tracer<'a, T, const EFFECTS: u64, const DEPTH: usize> {
     scene: &'a Scene<'a, T>,

@@ -1,5 +1,4 @@
 //! Ready-made framebuffers over memory that the caller owns.
-#![cfg_attr(test, allow(clippy::unwrap_used, clippy::indexing_slicing))]
 
 #[cfg(feature = "embedded-graphics")]
 mod display_color;

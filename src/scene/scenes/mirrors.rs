@@ -8,7 +8,7 @@ use crate::scene::{Background, Camera, Light, Material, Object, Scene, Shape};
 pub const MIRRORS: Scene<'static, f32> =
     Scene::new(CAMERA, Background::Solid(Rgb::new(0.35, 0.45, 0.6))).with_objects(&OBJECTS).with_lights(&LIGHTS);
 
-const CAMERA: Camera<f32> = Camera::look_at(Vec3::new(1.3, 1.5, 2.6), Vec3::new(-1.2, 0.75, -1.2), UP, 60.0);
+const CAMERA: Camera<f32> = Camera::look_at(Vec3::new(0.75, 1.35, 2.6), Vec3::new(-0.2, 0.95, 0.0), UP, 62.0);
 
 const FLOOR: Material<f32> =
     Material::patterned(checker(Rgb::grey(0.8), Rgb::new(0.15, 0.25, 0.2), 0.5)).with_shares(0.05, 0.1, 0.75);
@@ -19,13 +19,13 @@ const YELLOW: Material<f32> = Material::matte(Rgb::new(0.85, 0.6, 0.1)).with_sha
 
 const OBJECTS: [Object<'static, f32>; 5] = [
     Object::new(Shape::plane(Vec3::ZERO, UP), FLOOR),
-    Object::new(Shape::axis_box(Vec3::new(-1.6, 0.1, -6.0), Vec3::new(-1.5, 2.6, 2.0)), MIRROR),
-    Object::new(Shape::axis_box(Vec3::new(1.5, 0.1, -6.0), Vec3::new(1.6, 2.6, 4.0)), MIRROR),
-    Object::new(Shape::sphere(Vec3::new(-0.35, 0.5, -0.4), 0.5), RED),
-    Object::new(Shape::cylinder(Vec3::new(0.5, 0.0, -2.0), Vec3::new(0.5, 1.5, -2.0), 0.22).capped(), YELLOW),
+    Object::new(Shape::axis_box(Vec3::new(-2.2, 0.0, -2.1), Vec3::new(2.2, 2.4, -2.0)), MIRROR),
+    Object::new(Shape::axis_box(Vec3::new(-2.2, 0.0, 3.0), Vec3::new(2.2, 2.4, 3.1)), MIRROR),
+    Object::new(Shape::sphere(Vec3::new(-0.6, 0.5, 0.3), 0.5), RED),
+    Object::new(Shape::cylinder(Vec3::new(0.75, 0.0, -0.4), Vec3::new(0.75, 1.3, -0.4), 0.2).capped(), YELLOW),
 ];
 
 const LIGHTS: [Light<f32>; 2] = [
-    Light::point(Vec3::new(0.3, 4.5, 1.5), Rgb::grey(0.85)),
-    Light::directional(Vec3::new(0.1, 1.0, 0.4), Rgb::grey(0.15)),
+    Light::point(Vec3::new(1.3, 4.5, 1.5), Rgb::grey(0.85)),
+    Light::directional(Vec3::new(-0.4, 1.0, 0.1), Rgb::grey(0.15)),
 ];

@@ -7,7 +7,7 @@ use crate::scene::{Background, Camera, Interface, Light, Material, Object, Scene
 /// Three spheres of a lecture on reflection and transmission: constant k_r, constant k_t, and Fresnel's division.
 pub const SPHERES: Scene<'static, f32> = Scene::new(CAMERA, SKY).with_objects(&OBJECTS).with_lights(&LIGHTS);
 
-const CAMERA: Camera<f32> = Camera::look_at(Vec3::new(0.0, 1.9, 7.5), Vec3::new(0.0, 0.8, 0.0), UP, 32.0);
+const CAMERA: Camera<f32> = Camera::look_at(Vec3::new(0.0, 2.2, 8.0), Vec3::new(0.0, 0.8, 0.0), UP, 36.0);
 const SKY: Background<f32> = Background::Gradient { below: Rgb::grey(0.8), above: Rgb::new(0.2, 0.35, 0.7), up: UP };
 
 const FLOOR: Material<f32> =

@@ -1,0 +1,116 @@
+//! Effects: what scenes call for, and tracers that leave it out.
+#![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
+
+use whit::render::{LinearRgb, Size};
+use whit::trace::TracerError;
+use whit::{Effects, Frame, Rgb, Scene, SceneBuf, Settings, Tracer, Vec3, scenes};
+
+fn names(scene: &Scene<'_, f32>) -> String {
+    scene.effects().to_string()
+}
+
+#[test]
+fn scenes_call_for_what_they_hold() {
+    assert_eq!(
+        names(&scenes::CARD),
+        "spheres, plane, body, checker, phong-highlight, integer-exponent, mirror, parallelogram-light, sky, lens, \
+         display-tone"
+    );
+    assert_eq!(names(&scenes::FLAKE), "spheres, plane, body, blinn-highlight, real-exponent, mirror, point-light");
+    // The effects are a constant.
+    const { assert!(scenes::CARD.effects().has(Effects::LENS) && !scenes::FLAKE.effects().has(Effects::LENS)) };
+}
+
+/// The same bits come out of the code for a scene's own effects and the code for all.
+#[test]
+fn pruned_code_draws_the_same_picture() {
+    fn draw<const EFFECTS: u64>(tracer: &Tracer<'_, f32, EFFECTS, 6>) -> Vec<Rgb<f32>> {
+        let mut pixels = vec![Rgb::BLACK; 48 * 36];
+        let mut target = LinearRgb::new(Size::new(48, 36), &mut pixels).unwrap();
+        Frame::new(tracer, Settings::new(48, 36).with_depth(6)).unwrap().render(&mut target).unwrap();
+        pixels
+    }
+    fn draw_all(scene: &Scene<'_, f32>) -> Vec<Rgb<f32>> {
+        draw(&Tracer::<f32, { Effects::ALL.bits() }, 6>::try_new(scene).unwrap())
+    }
+    assert_eq!(draw(&whit::tracer!(scenes::SHOWCASE, 6)), draw_all(&scenes::SHOWCASE));
+    assert_eq!(draw(&whit::tracer!(scenes::SPHERES, 6)), draw_all(&scenes::SPHERES));
+    assert_eq!(draw(&whit::tracer!(scenes::MIRRORS, 6)), draw_all(&scenes::MIRRORS));
+    assert_eq!(draw(&whit::tracer!(scenes::FLAKE, 6)), draw_all(&scenes::FLAKE));
+    assert_eq!(draw(&whit::tracer!(scenes::CARD, 6)), draw_all(&scenes::CARD));
+}
+
+#[test]
+fn missing_effects_are_named() {
+    const FEWER: u64 = scenes::SHOWCASE.effects().without(Effects::CONE.with(Effects::GRADIENT)).bits();
+    let error = Tracer::<f32, FEWER, 5>::try_new(&scenes::SHOWCASE).map(|_| ()).unwrap_err();
+    assert_eq!(error, TracerError::MissingEffects(Effects::CONE.with(Effects::GRADIENT)));
+    assert_eq!(error.to_string(), "the tracer was compiled without: cone, gradient");
+}
+
+/// A scene in a buffer, packed spheres taken apart, looks the same; and in `f64` nearly so.
+#[test]
+fn buffers_hold_copies_in_any_number_type() {
+    let mut pixels = vec![Rgb::BLACK; 40 * 40];
+    let mut pictures = Vec::new();
+    let same = SceneBuf::<f32, 64, 2>::from_scene(&scenes::CARD, |x| x).unwrap();
+    let wide = SceneBuf::<f64, 64, 2>::from_scene(&scenes::CARD, f64::from).unwrap();
+    let mut target = LinearRgb::new(Size::new(40, 40), &mut pixels).unwrap();
+    Frame::new(&whit::tracer!(scenes::CARD), Settings::new(40, 40)).unwrap().render(&mut target).unwrap();
+    pictures.push(pixels.clone());
+    let tracer = Tracer::<f32, { Effects::ALL.bits() }, 5>::try_new(&same.as_scene()).unwrap().scene().objects.len();
+    assert_eq!(tracer, 50);
+    let scene = same.as_scene();
+    let mut target = LinearRgb::new(Size::new(40, 40), &mut pixels).unwrap();
+    let tracer = Tracer::<f32, { Effects::ALL.bits() }, 5>::try_new(&scene).unwrap();
+    Frame::new(&tracer, Settings::new(40, 40)).unwrap().render(&mut target).unwrap();
+    assert_eq!(pixels, pictures[0]);
+    let scene = wide.as_scene();
+    let mut target = LinearRgb::new(Size::new(40, 40), &mut pixels).unwrap();
+    let tracer = Tracer::<f64, { Effects::ALL.bits() }, 5>::try_new(&scene).unwrap();
+    Frame::new(&tracer, Settings::new(40, 40)).unwrap().render(&mut target).unwrap();
+    let off = pixels.iter().zip(&pictures[0]).filter(|(a, b)| (a.r - b.r).abs() > 1.0 / 255.0).count();
+    assert!(off <= 4, "{off} pixels differ between f32 and f64");
+    let full = SceneBuf::<f32, 49, 2>::from_scene(&scenes::CARD, |x| x).map(|_| ()).unwrap_err();
+    assert_eq!(full.to_string(), "no room for another object: the capacity is 49");
+}
+
+/// Every number that is out of its range is refused by the name of its object and its field.
+#[test]
+fn senseless_numbers_are_refused() {
+    type Change = dyn Fn(&mut Scene<'_, f32>, &mut Vec<whit::Object<'static, f32>>);
+    let refused = |change: &Change| {
+        let mut objects = scenes::SPHERES.objects.to_vec();
+        let mut scene = scenes::SPHERES;
+        change(&mut scene, &mut objects);
+        let scene = Scene { objects: &objects, ..scene };
+        Tracer::<f32, { Effects::ALL.bits() }, 5>::try_new(&scene).map(|_| ()).unwrap_err().to_string()
+    };
+    const NOWHERE: [whit::Light<f32>; 1] = [whit::Light::directional(Vec3::ZERO, Rgb::WHITE)];
+    const NAN: f32 = f32::NAN;
+    assert_eq!(
+        refused(&|_, objects| objects[2].shape = whit::Shape::sphere(Vec3::new(0.0, NAN, 0.0), 1.0)),
+        "object 2: center: expected a finite number of at most 1e12"
+    );
+    assert_eq!(
+        refused(&|_, objects| objects[4].material = whit::Material::dielectric(0.0)),
+        "object 4: interface.index: expected an index of refraction from 1e-3 to 1e3"
+    );
+    assert_eq!(
+        refused(&|_, objects| objects[1].material = whit::Material::mirror(Rgb::grey(1.5))),
+        "object 1: interface.reflected: expected a number from 0 to 1"
+    );
+    assert_eq!(
+        refused(&|scene, _| scene.camera.target = scene.camera.eye),
+        "camera: target: expected a point away from the eye"
+    );
+    assert_eq!(
+        refused(&|scene, _| scene.camera.up = Vec3::new(0.0, 0.0, 0.0)),
+        "camera: up: expected finite numbers, not all zero"
+    );
+    assert_eq!(
+        refused(&|scene, _| scene.background = whit::Background::Solid(Rgb::grey(f32::INFINITY))),
+        "scene: background: expected a number from 0 to 1e12"
+    );
+    assert_eq!(refused(&|scene, _| scene.lights = &NOWHERE), "light 0: towards: expected finite numbers, not all zero");
+}
