@@ -12,29 +12,14 @@ use crate::scene::Sphere;
 /// Ray/Sphere Intersection", Ray Tracing Gems, 2019).
 #[inline]
 pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
-    let discriminant = discriminant(sphere, ray);
-    if discriminant < T::ZERO { None } else { meet(sphere, ray, discriminant, limit, outside_only) }
-}
-
-/// The square of half the chord that the sphere cuts from the line of the ray; below zero where they do not meet.
-#[inline(always)]
-pub(super) fn discriminant<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>) -> T {
-    let f = ray.origin - sphere.center;
-    let perpendicular = f - ray.direction * f.dot(ray.direction);
-    sphere.radius * sphere.radius - perpendicular.length_squared()
-}
-
-/// The contact with a sphere that the line of the ray meets.
-pub(super) fn meet<T: Real>(
-    sphere: &Sphere<T>,
-    ray: &Ray<T>,
-    discriminant: T,
-    limit: T,
-    outside_only: bool,
-) -> Option<Contact<T>> {
     let f = ray.origin - sphere.center;
     let b = -f.dot(ray.direction);
-    let c = f.length_squared() - sphere.radius * sphere.radius;
+    let square = sphere.radius * sphere.radius;
+    let discriminant = square - (f + ray.direction * b).length_squared();
+    if discriminant < T::ZERO {
+        return None;
+    }
+    let c = f.length_squared() - square;
     let root = discriminant.sqrt();
     let (near, far) = if b < T::ZERO {
         let near = b - root;

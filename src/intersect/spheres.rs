@@ -2,12 +2,12 @@
 
 use super::{Contact, Ray, sphere};
 use crate::math::{Real, Vec3};
-use crate::scene::{Cluster, LANES, Sphere, SphereList};
+use crate::scene::{Cluster, LANES, SphereList};
 
 /// The nearest contact with a list of spheres, and the number of the sphere; with `any`, the first found.
 ///
-/// Bounding spheres and the discriminants of a cluster are worked out side by side and give a mask; what is not in the
-/// mask costs nothing more.
+/// Bounding spheres, and then the spheres of a cluster, are sieved side by side; what is not in the mask costs nothing
+/// more.
 pub(crate) fn intersect<T: Real>(
     list: &SphereList<'_, T>,
     ray: &Ray<T>,
@@ -21,10 +21,9 @@ pub(crate) fn intersect<T: Real>(
         for lane in Lanes(near(bounds, ray, limit)) {
             let number = group * LANES + lane;
             let Some(cluster) = list.clusters.get(number) else { break };
-            let discriminants = side_by_side(cluster, |sphere| sphere::discriminant(&sphere, ray));
-            for lane in Lanes(mask(cluster, discriminants.map(|d| d >= T::ZERO))) {
-                let (Some(sphere), Some(&d)) = (cluster.sphere(lane), discriminants.get(lane)) else { break };
-                if let Some(contact) = sphere::meet(&sphere, ray, d, limit, outside_only) {
+            for lane in Lanes(near(cluster, ray, limit)) {
+                let Some(sphere) = cluster.sphere(lane) else { break };
+                if let Some(contact) = sphere::intersect(&sphere, ray, limit, outside_only) {
                     limit = contact.t;
                     best = Some((contact, number * LANES + lane));
                     if any {
@@ -37,47 +36,36 @@ pub(crate) fn intersect<T: Real>(
     best
 }
 
-/// The bounding spheres that a ray may meet between its origin and `limit`; a few that it misses may be among them.
+/// The spheres that a ray may meet between its origin and `limit`, a bit for each lane; a few that it misses may be
+/// among them.
 ///
-/// Rounding moves the foot of the perpendicular by at most 4u|f| on each axis, and its square by less than 16u|f|².
-/// Where the line does pass through the sphere, the error of the foot's distance is below its 1024th part.
-#[inline(always)]
-fn near<T: Real>(bounds: &Cluster<T>, ray: &Ray<T>, limit: T) -> u64 {
-    let is_near = side_by_side(bounds, |around| {
-        let f = ray.origin - around.center;
-        let along = -f.dot(ray.direction);
-        let perpendicular = f + ray.direction * along;
-        let slack = f.length_squared() * (T::from_f32(16.0) * T::ROUNDOFF);
-        let reach = around.radius * T::from_f32(1.0 + 1.0 / 1024.0);
-        let beside = perpendicular.length_squared() - slack > around.radius * around.radius;
-        let behind = along < -reach;
-        let beyond = along * T::from_f32(1.0 - 1.0 / 1024.0) - reach > limit;
-        !(beside | behind | beyond)
-    });
-    mask(bounds, is_near)
-}
-
-/// One value a lane, in a form that compilers turn into vector instructions.
-#[inline(always)]
-fn side_by_side<T: Real, U: Copy + Default>(cluster: &Cluster<T>, f: impl Fn(Sphere<T>) -> U) -> [U; LANES] {
-    let mut values = [U::default(); LANES];
-    let centers = cluster.x.iter().zip(&cluster.y).zip(&cluster.z).zip(&cluster.radius);
-    for (value, (((x, y), z), radius)) in values.iter_mut().zip(centers) {
-        *value = f(Sphere { center: Vec3::new(*x, *y, *z), radius: *radius });
+/// With f from the origin to the centre, the line meets the sphere where (f·d)² ≥ f² − r²; an origin outside, f² > r²,
+/// needs f·d > 0 as well. Rounding moves each side by less than 16u·f², so 64u·f² leave room for all roundings of
+/// [`sphere::intersect`] too. No contact is nearer than f·d − |r|, good to far less than the 1024th part of f·d where it
+/// is above zero.
+///
+/// Straight-line code for every lane, with one word a lane at the end, is what compilers turn into vector instructions;
+/// out of line, both levels share it.
+#[inline(never)]
+fn near<T: Real>(cluster: &Cluster<T>, ray: &Ray<T>, limit: T) -> u32 {
+    let mut lanes = [0; LANES];
+    let spheres = cluster.x.iter().zip(&cluster.y).zip(&cluster.z).zip(&cluster.radius);
+    for (i, (lane, (((x, y), z), radius))) in lanes.iter_mut().zip(spheres).enumerate() {
+        let f = Vec3::new(*x, *y, *z) - ray.origin;
+        let along = f.dot(ray.direction).max(T::ZERO);
+        let square = *radius * *radius;
+        let outside = f.length_squared() * (T::ONE - T::from_f32(64.0) * T::ROUNDOFF) - square;
+        let past = (along * T::from_f32(1.0 - 1.0 / 1024.0) - limit).max(T::ZERO);
+        let margin = (along * along - outside).min(square - past * past);
+        *lane = if margin < T::ZERO { 0 } else { 1 << i };
     }
-    values
+    // Halves first, as wide as a vector register.
+    let [a, b, c, d, e, f, g, h] = lanes;
+    ((a | b | c | d) | (e | f | g | h)) & !(u32::MAX << cluster.count)
 }
 
-/// A byte for each lane that holds a sphere: 1 where it says yes. Compilers pack comparisons into bytes better than
-/// into bits.
-#[inline(always)]
-fn mask<T>(cluster: &Cluster<T>, lanes: [bool; LANES]) -> u64 {
-    let held = u64::MAX.checked_shr(64 - 8 * u32::from(cluster.count)).unwrap_or(0);
-    u64::from_le_bytes(lanes.map(u8::from)) & held
-}
-
-/// The numbers of the lanes whose byte is 1.
-struct Lanes(u64);
+/// The numbers of the bits that are 1.
+struct Lanes(u32);
 
 impl Iterator for Lanes {
     type Item = usize;
@@ -87,7 +75,7 @@ impl Iterator for Lanes {
         if self.0 == 0 {
             return None;
         }
-        let lane = self.0.trailing_zeros() / 8;
+        let lane = self.0.trailing_zeros();
         self.0 &= self.0 - 1;
         Some(lane as usize)
     }
