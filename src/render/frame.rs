@@ -6,6 +6,7 @@ use super::order::{Cursor, Next};
 use super::sampling::Accumulator;
 use super::view::View;
 use super::{Framebuffer, Pixel, Settings, SettingsError, Size};
+use crate::intersect::Ray;
 use crate::math::{Real, Rgb};
 use crate::scene::{Effects, Tone};
 use crate::trace::{Context, Observer, RayTree, Samples, Sequence, Tracer};
@@ -51,9 +52,9 @@ pub enum Progress {
 /// What the frame does next.
 #[derive(Clone, Copy, Debug)]
 enum Phase<T> {
-    /// Start the tree of the next sample.
+    /// Start the tree of the next sample and follow it.
     Sample,
-    /// Follow the tree of the current sample.
+    /// Go on with the tree of the current sample.
     Trace,
     /// Hand over a finished pixel.
     Put(Rgb<T>),
@@ -158,8 +159,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer> Frame<'a,
         let mut rays = rays;
         loop {
             match self.phase {
-                Phase::Sample => self.start_sample(),
-                Phase::Trace => {
+                Phase::Sample | Phase::Trace => {
                     if !self.trace(&mut rays) {
                         return Ok(Progress::More);
                     }
@@ -185,26 +185,28 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer> Frame<'a,
         Samples { sequence: self.sequence, index: self.pixel.count }
     }
 
-    fn start_sample(&mut self) {
+    /// The eye ray of the current sample, and how many rays the sample may cost.
+    #[inline]
+    fn eye_ray(&self) -> (Ray<T>, u32) {
         let samples = self.samples();
         let [s, t] = self.settings.sampling.position(&samples);
         let (x, y) = (T::from_u32(self.cursor.x) + s, T::from_u32(self.cursor.y) + t);
         let ray = self.view.ray::<EFFECTS>(x, y, || samples.point(Sequence::LENS));
         // At least one sample is taken, so that the division cannot trap.
-        let share = self.settings.budget.rays_per_pixel / self.settings.sampling.most().max(1);
-        self.tree.start(ray, share);
-        self.phase = Phase::Trace;
+        (ray, self.settings.budget.rays_per_pixel / self.settings.sampling.most().max(1))
     }
 
     /// Follows the tree of the current sample; `false` when the rays are used up first.
     fn trace(&mut self, rays: &mut u32) -> bool {
         let samples = self.samples();
+        let start = if matches!(self.phase, Phase::Sample) { Some(self.eye_ray()) } else { None };
         let context = Context { scene: self.tracer.scene(), budget: &self.settings.budget, samples };
-        if !self.tree.advance::<EFFECTS, O>(&context, rays, &mut self.observer) {
+        let Some(light) = self.tree.advance::<EFFECTS, O>(start, &context, rays, &mut self.observer) else {
+            self.phase = Phase::Trace;
             return false;
-        }
+        };
         self.phase = Phase::Sample;
-        if self.pixel.add(self.tree.gathered(), &self.settings.sampling) {
+        if self.pixel.add(light, &self.settings.sampling) {
             self.observer.pixel(self.cursor.x, self.cursor.y, self.pixel.count);
             self.phase = Phase::Put(self.tone(self.pixel.mean()));
             self.pixel = Accumulator::EMPTY;

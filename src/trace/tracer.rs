@@ -126,11 +126,12 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize> Tracer<'a, T, EFFECTS,
         let samples = Samples { sequence: Sequence::new(0, 0), index: 0 };
         let context = Context { scene: self.scene, budget, samples };
         let mut tree = RayTree::<T, DEPTH>::new();
-        tree.start(ray, budget.rays_per_pixel);
-        let mut rays = u32::MAX;
-        while !tree.advance::<EFFECTS, _>(&context, &mut rays, observer) {
-            rays = u32::MAX;
+        let mut start = Some((ray, budget.rays_per_pixel));
+        loop {
+            let mut rays = u32::MAX;
+            if let Some(light) = tree.advance::<EFFECTS, _>(start.take(), &context, &mut rays, observer) {
+                return light;
+            }
         }
-        tree.gathered()
     }
 }

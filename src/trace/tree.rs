@@ -54,33 +54,43 @@ impl<'a, T: Real, const DEPTH: usize> RayTree<'a, T, DEPTH> {
         Self { walk, pending: Vec::new() }
     }
 
-    /// Starts over with an eye ray that may cost so many rays.
-    #[inline]
-    pub(crate) fn start(&mut self, ray: Ray<T>, rays: u32) {
-        let eye = Branch { ray, throughput: Rgb::WHITE, depth: 0, kind: RayKind::Eye };
-        self.walk = Walk { gathered: Rgb::BLACK, current: Some(eye), shading: None, rays_left: rays };
-        self.pending.clear();
-    }
-
-    /// Follows the tree until it is done (`true`) or `rays` is used up. What happens does not depend on where it stops.
+    /// Follows the tree until it is done, which gives its light, or until `rays` is used up. What happens does not
+    /// depend on where it stops.
+    ///
+    /// `start` starts it over with an eye ray that may cost so many rays. A tree that is done in one go is never
+    /// written to memory.
     #[inline]
     pub(crate) fn advance<const EFFECTS: u64, O: Observer>(
         &mut self,
+        start: Option<(Ray<T>, u32)>,
         context: &Context<'_, 'a, T>,
         rays: &mut u32,
         observer: &mut O,
-    ) -> bool {
-        self.walk.advance::<EFFECTS, O>(self.pending.as_mut_view(), context, rays, observer)
-    }
-
-    /// The light that was gathered.
-    pub(crate) fn gathered(&self) -> Rgb<T> {
-        self.walk.gathered
+    ) -> Option<Rgb<T>> {
+        let mut walk = match start {
+            Some((ray, rays)) => {
+                self.pending.clear();
+                Walk::start(ray, rays)
+            }
+            None => self.walk,
+        };
+        if walk.advance::<EFFECTS, O>(self.pending.as_mut_view(), context, rays, observer) {
+            return Some(walk.gathered);
+        }
+        self.walk = walk;
+        None
     }
 }
 
 impl<'a, T: Real> Walk<'a, T> {
+    #[inline(always)]
+    fn start(ray: Ray<T>, rays: u32) -> Self {
+        let eye = Branch { ray, throughput: Rgb::WHITE, depth: 0, kind: RayKind::Eye };
+        Self { gathered: Rgb::BLACK, current: Some(eye), shading: None, rays_left: rays }
+    }
+
     /// The walk itself, compiled once for every depth: it sees the stack as a view without its capacity.
+    #[inline(always)]
     fn advance<const EFFECTS: u64, O: Observer>(
         &mut self,
         pending: &mut VecView<Branch<T>>,
@@ -88,29 +98,25 @@ impl<'a, T: Real> Walk<'a, T> {
         rays: &mut u32,
         observer: &mut O,
     ) -> bool {
-        // A copy that never has an address can live in registers.
-        let mut walk = *self;
-        let done = loop {
-            if !walk.light::<EFFECTS, O>(context, rays, observer) {
-                break false;
+        loop {
+            if !self.light::<EFFECTS, O>(context, rays, observer) {
+                return false;
             }
-            let Some(branch) = walk.current.take().or_else(|| pending.pop()) else { break true };
+            let Some(branch) = self.current.take().or_else(|| pending.pop()) else { return true };
             if *rays == 0 {
-                walk.current = Some(branch);
-                break false;
+                self.current = Some(branch);
+                return false;
             }
             *rays -= 1;
             // The branch and a shadow ray to each light must be paid for, so that no point is left half lit.
-            if walk.rays_left as usize <= context.scene.lights.len() {
-                walk.cut::<EFFECTS, O>(context, &branch, Cut::Rays, observer);
+            if self.rays_left as usize <= context.scene.lights.len() {
+                self.cut::<EFFECTS, O>(context, &branch, Cut::Rays, observer);
                 continue;
             }
-            walk.rays_left -= 1;
+            self.rays_left -= 1;
             observer.ray(branch.kind);
-            walk.follow::<EFFECTS, O>(&branch, pending, context, observer);
-        };
-        *self = walk;
-        done
+            self.follow::<EFFECTS, O>(&branch, pending, context, observer);
+        }
     }
 
     /// Looks at the lights of the surface that was met last; `false` when `rays` is used up first.
