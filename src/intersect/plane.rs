@@ -19,6 +19,7 @@ pub(crate) fn intersect<T: Real>(plane: &Plane<T>, ray: &Ray<T>, limit: T, outsi
 }
 
 /// The surface at a contact.
+#[inline(always)]
 pub(crate) fn surface<T: Real>(plane: &Plane<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
     flat_surface(ray.at(contact.t), plane.point, plane.normal.normalized())
 }

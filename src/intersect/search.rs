@@ -43,6 +43,7 @@ pub(crate) fn occluded<T: Real, const EFFECTS: u64>(objects: &[Object<'_, T>], r
 
 impl<T: Real> Hit<'_, T> {
     /// The surface at the contact.
+    #[inline(always)]
     pub(crate) fn surface<const EFFECTS: u64>(&self, ray: &Ray<T>) -> Surface<T> {
         let contact = &self.contact;
         match &self.object.shape {

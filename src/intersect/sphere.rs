@@ -33,6 +33,7 @@ pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, out
 }
 
 /// The surface at a contact. The point is moved onto the sphere, so its error does not grow with the distance.
+#[inline(always)]
 pub(crate) fn surface<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
     let outward = (ray.at(contact.t) - sphere.center).normalized();
     let local = outward * sphere.radius.abs();
