@@ -1,5 +1,5 @@
 //! Framebuffers that watch the renderer, or get in its way.
-#![allow(dead_code, unreachable_pub)] // Each test that includes this file uses a part of it.
+#![allow(dead_code, unreachable_pub, clippy::expect_used)] // Each test that includes this file uses a part of it.
 
 use whit::Rgb;
 use whit::render::{Framebuffer, Pixel, Size};
