@@ -71,7 +71,6 @@
 //! - `nff` (default): the reader of Neutral File Format scenes, [`scene::nff`].
 //! - `embedded-graphics`: framebuffers over any `embedded_graphics` draw target.
 #![cfg_attr(not(test), no_std)]
-#![cfg_attr(docsrs, feature(doc_cfg))]
 
 /// The README's programs.
 #[cfg(doctest)]

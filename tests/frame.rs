@@ -229,3 +229,37 @@ fn adaptive_samples_go_where_the_contrast_is() {
     let flat = Sampling::Adaptive { first: 4, most: 16, contrast: 1e9 };
     assert_eq!(whole(&scenes::SPHERES, settings().with_sampling(flat)).1.eye, 4 * pixels);
 }
+
+/// A constant interface without k_r reflects nothing but what is reflected totally.
+#[test]
+fn branches_without_weight_are_not_spawned() {
+    use whit::{Interface, Material, Object, Shape, Vec3};
+    let clear = Interface::Constant { reflected: Rgb::BLACK, transmitted: Rgb::WHITE, index: 1.5 };
+    let ball = Shape::sphere(Vec3::new(0.0, 0.9, 0.4), 0.9);
+    let objects = [Object::new(ball, Material::dielectric(1.5).with_interface(clear))];
+    let (_, stats) = whole(&scenes::SPHERES.with_objects(&objects), settings());
+    assert!(stats.transmitted > 100 && stats.reflected == stats.total_internal, "{stats:?}");
+}
+
+/// A whole frame onto a display that panics when a pixel is drawn twice or outside.
+#[cfg(feature = "embedded-graphics")]
+#[test]
+fn a_display_is_drawn_once_pixel_by_pixel() {
+    use embedded_graphics::mock_display::MockDisplay;
+    use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+    use embedded_graphics::prelude::Point;
+    use whit::render::{DrawTargetLines, Encoding, Rgb888 as Bytes};
+    let size = Size::new(64, 64);
+    let tracer = whit::tracer!(scenes::SHOWCASE);
+    let mut display = MockDisplay::<Rgb888>::new();
+    let mut line = [Rgb888::BLACK; 64];
+    let mut target = DrawTargetLines::new(&mut display, size, &mut line, Encoding::Srgb).unwrap();
+    Frame::new(&tracer, Settings::new(64, 64)).unwrap().render(&mut target).unwrap();
+    let mut bytes = vec![0; 64 * 64 * 3];
+    let mut target = Bytes::new(size, &mut bytes, Encoding::Srgb).unwrap();
+    Frame::new(&tracer, Settings::new(64, 64)).unwrap().render(&mut target).unwrap();
+    for (i, expected) in bytes.chunks_exact(3).enumerate() {
+        let color = display.get_pixel(Point::new(i as i32 % 64, i as i32 / 64)).unwrap();
+        assert_eq!([color.r(), color.g(), color.b()], expected);
+    }
+}

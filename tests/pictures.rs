@@ -62,6 +62,61 @@ fn several_samples_agree_with_the_reference() {
     }
 }
 
+/// One of each: what the built-in scenes leave out.
+#[test]
+fn everything_else_agrees_with_the_reference() {
+    use whit::scene::{Aperture, Cone, Exponent, Falloff, Highlight, Lens, Lobe, SmoothTriangle, Triangle};
+    use whit::{Background, Interface, Light, Material, Object, Pattern, Shape};
+    const UP: Vec3<f32> = Vec3::new(0.0, 1.0, 0.0);
+    let v = Vec3::new;
+    let plain = |r, g, b| Material::matte(Rgb::new(r, g, b)).with_shares(0.05, 0.1, 0.7);
+    let shiny = |lobe, exponent| {
+        let highlight = Some(Highlight { color: Rgb::grey(0.4), lobe, exponent });
+        Material { highlight, ..plain(0.3, 0.5, 0.2).with_interface(Interface::Mirror { reflected: Rgb::grey(0.2) }) }
+    };
+    let fade = Pattern::Gradient {
+        from: Rgb::new(0.9, 0.2, 0.1),
+        to: Rgb::WHITE,
+        origin: v(0.0, 0.0, 0.0),
+        axis: v(0.3, 0.4, 0.1),
+    };
+    let tinted =
+        Interface::Constant { reflected: Rgb::new(0.2, 0.1, 0.3), transmitted: Rgb::new(0.7, 0.8, 0.5), index: 1.3 };
+    let cone = |base, apex, base_radius, apex_radius, capped| {
+        Shape::Cone(Cone { base, apex, base_radius, apex_radius, capped })
+    };
+    let fan = [
+        Triangle { vertices: [v(-3.0, 0.0, -2.0), v(-2.0, 0.0, -2.5), v(-2.4, 1.6, -2.2)] },
+        Triangle { vertices: [v(-2.0, 0.0, -2.5), v(-1.2, 0.2, -1.9), v(-2.4, 1.6, -2.2)] },
+    ];
+    let smooth = SmoothTriangle {
+        vertices: [v(0.4, 0.1, 1.2), v(1.4, 0.0, 1.0), v(0.9, 1.1, 0.9)],
+        normals: [v(-0.6, 0.1, 1.0), v(0.5, 0.0, 1.0), v(0.0, 0.9, 0.7)],
+    };
+    let objects = [
+        Object::new(Shape::disc(v(0.0, 0.0, 0.0), v(0.1, 2.0, 0.0), 4.0), Material::patterned(fade)),
+        Object::new(Shape::Triangles(&fan), shiny(Lobe::Phong, Exponent::Real(17.5))),
+        Object::new(Shape::SmoothTriangle(smooth), shiny(Lobe::Blinn, Exponent::Integer(40))),
+        Object::new(Shape::sphere(v(-1.6, 0.9, 0.7), -0.6), plain(0.2, 0.3, 0.9)).one_sided(),
+        Object::new(Shape::sphere(v(-0.3, 0.7, 0.2), 0.5), plain(0.2, 0.3, 0.9).with_interface(tinted)),
+        Object::new(cone(v(1.9, 0.1, 0.0), v(2.2, 1.4, -0.4), 0.5, 0.2, false), plain(0.9, 0.8, 0.1)).without_shadow(),
+        Object::new(cone(v(0.6, 0.3, -1.4), v(1.8, 1.2, -2.2), 0.4, 0.4, true), Material::dielectric(1.7)),
+        Object::new(cone(v(-0.7, 0.1, 1.9), v(-0.7, 0.9, 1.7), -0.4, -0.1, true), plain(0.7, 0.2, 0.6)).one_sided(),
+        Object::new(Shape::axis_box(v(-2.6, 0.2, 0.6), v(-2.2, 1.0, 1.3)), Material::dielectric(0.8)),
+    ];
+    let falloff = Falloff { constant: 0.5, linear: 0.05, quadratic: 0.02 };
+    let lights = [
+        Light::sphere(v(2.0, 5.0, 3.0), 0.8, Rgb::new(0.9, 0.8, 0.7)).with_falloff(falloff),
+        Light::directional(v(-2.0, 3.0, 1.0), Rgb::grey(0.3)),
+        Light::point(v(-3.0, 2.0, 4.0), Rgb::new(0.1, 0.2, 0.3)),
+    ];
+    let camera = Camera::look_at(v(0.5, 2.2, 5.5), v(-0.2, 0.5, 0.0), UP, 48.0);
+    let lens = Lens { aperture: Aperture::Disc { radius: 0.02 }, focus: 5.0 };
+    let mut scene = Scene::new(camera.with_lens(lens), Background::Sky { horizon: Rgb::new(0.5, 0.6, 0.8), up: UP });
+    scene = Scene { index: 1.1, ..scene.with_objects(&objects).with_lights(&lights) };
+    agrees("everything", &scene, Size::new(160, 120), 0.001);
+}
+
 #[cfg(feature = "nff")]
 #[test]
 fn files_agree_with_the_reference() {
