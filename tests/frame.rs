@@ -263,3 +263,24 @@ fn a_display_is_drawn_once_pixel_by_pixel() {
         assert_eq!([color.r(), color.g(), color.b()], expected);
     }
 }
+
+/// Lights at the limit of what validation accepts overflow on the way; the pixels do not.
+#[test]
+fn huge_lights_stay_finite() {
+    use whit::scene::Falloff;
+    use whit::{Light, SceneBuf};
+    fn brightest<T: whit::Real>(convert: impl Fn(f32) -> T + Copy) -> f32 {
+        let falloff = Falloff { constant: 1e-12, linear: 0.0, quadratic: 0.0 };
+        let lights = [Light::point(scenes::SPHERES.camera.eye, Rgb::new(1e12, 0.0, 1e12)).with_falloff(falloff)];
+        let buffer = SceneBuf::<T, 8, 1>::from_scene(&scenes::SPHERES.with_lights(&lights), convert).unwrap();
+        let scene = buffer.as_scene();
+        let tracer = Tracer::<T, ALL, 5>::try_new(&scene).unwrap();
+        let mut pixels = vec![Rgb::BLACK; 40 * 30];
+        let mut target = LinearRgb::new(Size::new(40, 30), &mut pixels).unwrap();
+        let settings = Settings::new(40, 30).with_sampling(Sampling::Sequence(4));
+        Frame::new(&tracer, settings).unwrap().render(&mut target).unwrap();
+        assert!(pixels.iter().all(|c| c.r.is_finite() && c.g.is_finite() && c.b.is_finite()));
+        pixels.iter().fold(0.0, |brightest, color| color.max_channel().max(brightest))
+    }
+    assert!(brightest(|x| x) > 1e20 && brightest(f64::from) > 1e20);
+}

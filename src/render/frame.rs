@@ -166,7 +166,9 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer> Frame<'a,
                 }
                 Phase::Put(color) => {
                     let Cursor { x, y, cell, .. } = self.cursor;
-                    let pixel = Pixel { x, y, cell, color: color.map(T::to_f32) };
+                    // What fits into `T` may still be too much for `f32`.
+                    let color = color.map(T::to_f32).min(Rgb::grey(f32::MAX));
+                    let pixel = Pixel { x, y, cell, color };
                     target.put(pixel).map_err(RenderError::Framebuffer)?;
                     let next = self.cursor.advance(self.settings.size.width, &self.settings.rows);
                     self.sequence = Sequence::new(self.cursor.x, self.cursor.y);
@@ -217,7 +219,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer> Frame<'a,
     fn tone(&self, light: Rgb<T>) -> Rgb<T> {
         match self.tracer.scene().tone {
             Tone::Display { gain, lift } if Effects::from_bits(EFFECTS).has(Effects::DISPLAY_TONE) => {
-                (light * gain + Rgb::grey(lift)).min(Rgb::grey(T::MAX))
+                light * gain + Rgb::grey(lift)
             }
             _ => light,
         }
