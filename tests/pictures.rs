@@ -7,32 +7,43 @@ mod reference;
 use reference::compare::{Difference, share_over};
 use whit::render::{LinearRgb, Sampling, Size};
 use whit::trace::Sequence;
-use whit::{Camera, Effects, Frame, Rgb, Scene, Settings, Tracer, Vec3, scenes};
+use whit::{Budget, Camera, Effects, Frame, Rgb, Scene, Settings, Stats, Termination, Tracer, Vec3, scenes};
 
-/// The library's picture, by code for every effect.
-fn render(scene: &Scene<'_, f32>, settings: Settings<f32>) -> Vec<[f32; 3]> {
+/// The library's picture and its counts, by code for every effect.
+fn render_counted(scene: &Scene<'_, f32>, settings: Settings<f32>) -> (Vec<[f32; 3]>, Stats) {
     let tracer = Tracer::<f32, { Effects::ALL.bits() }, 16>::try_new(scene).unwrap();
     let mut pixels = vec![Rgb::BLACK; settings.size.pixels() as usize];
     let mut target = LinearRgb::new(settings.size, &mut pixels).unwrap();
-    Frame::new(&tracer, settings).unwrap().render(&mut target).unwrap();
-    pixels.iter().map(|color| [color.r, color.g, color.b]).collect()
+    let mut frame = Frame::observed(&tracer, settings, Stats::default()).unwrap();
+    frame.render(&mut target).unwrap();
+    let stats = *frame.observer();
+    (pixels.iter().map(|color| [color.r, color.g, color.b]).collect(), stats)
 }
 
-/// The reference's picture. Sample numbers are input to both: the sequence has its own tests.
-fn reference_of(scene: &Scene<'_, f32>, size: Size, depth: u32, samples: u32) -> Vec<[f64; 3]> {
+fn render(scene: &Scene<'_, f32>, settings: Settings<f32>) -> Vec<[f32; 3]> {
+    render_counted(scene, settings).0
+}
+
+/// The reference's picture and its counts. Sample numbers are input to both: the sequence has its own tests.
+fn reference_of(
+    scene: &Scene<'_, f32>,
+    settings: &reference::Settings,
+    samples: u32,
+) -> (Vec<[f64; 3]>, reference::Counts) {
     let numbers = move |x, y, sample, dimension| match (samples, dimension) {
         (1, Sequence::PIXEL) => [0.5; 2],
         _ => Sequence::new(x, y).point(sample, dimension),
     };
     let samples = reference::Samples { count: samples, numbers: &numbers };
-    reference::render(scene, &reference::Settings::new(size.width, size.height, depth), &samples).0
+    reference::render(scene, settings, &samples)
 }
 
 /// At one sample a pixel and depth 5, a small share of the pixels may differ visibly: edges that `f32` and `f64` see on
 /// different sides of a pixel's middle. They are left out of the mean.
 fn agrees(name: &str, scene: &Scene<'_, f32>, size: Size, share: f64) {
-    let picture = render(scene, Settings::new(size.width, size.height));
-    let expected = reference_of(scene, size, 5, 1);
+    let (picture, stats) = render_counted(scene, Settings::new(size.width, size.height));
+    let settings = reference::Settings::new(size.width, size.height, 5);
+    let (expected, counts) = reference_of(scene, &settings, 1);
     let difference = Difference::between(&picture, &expected);
     let kept = |i: &usize| (0..3).all(|c| (f64::from(picture[*i][c]) - expected[*i][c]).abs() <= 1.0 / 255.0);
     let same: Vec<usize> = (0..picture.len()).filter(kept).collect();
@@ -42,6 +53,20 @@ fn agrees(name: &str, scene: &Scene<'_, f32>, size: Size, share: f64) {
     println!("{name:10} {difference}; without edges {rmse:.2e}");
     assert!(difference.share_over_1_255 <= share, "{name}: {difference}");
     assert!(rmse <= 1e-4, "{name}: {rmse:e} without edges; {difference}");
+    // The same rays were sent, but for those edges.
+    for (kind, found, expected) in [
+        ("eye", stats.eye, counts.eye),
+        ("reflected", stats.reflected, counts.reflected),
+        ("transmitted", stats.transmitted, counts.transmitted),
+        ("shadow", stats.shadow, counts.shadow),
+        ("total internal", stats.total_internal, counts.total_internal),
+    ] {
+        // A shadow ray is not sent for a highlight that underflows; the reference sends it.
+        let missing = if kind == "shadow" { 0 } else { expected.saturating_sub(found) };
+        let off = missing.max(found.saturating_sub(expected));
+        println!("{name:10} {kind}: {found}, expected {expected}");
+        assert!(off as f64 <= 20.0 + 10.0 * share * expected as f64, "{name}: {kind}: {found}, expected {expected}");
+    }
 }
 
 #[test]
@@ -53,12 +78,37 @@ fn built_in_scenes_agree_with_the_reference() {
 
 #[test]
 fn several_samples_agree_with_the_reference() {
-    let size = Size::new(48, 48);
     for (name, scene) in [("card", scenes::CARD), ("showcase", scenes::SHOWCASE)] {
         let picture = render(&scene, Settings::new(48, 48).with_sampling(Sampling::Sequence(4)));
-        let difference = Difference::between(&picture, &reference_of(&scene, size, 5, 4));
+        let settings = reference::Settings::new(48, 48, 5);
+        let difference = Difference::between(&picture, &reference_of(&scene, &settings, 4).0);
         println!("{name:10} 4 samples: {difference}");
         assert!(difference.share_over_1_255 <= 0.004, "{name}: {difference}");
+    }
+}
+
+/// Whatever cuts a branch, and whatever stands for it.
+#[test]
+fn cut_branches_agree_with_the_reference() {
+    let terminations = [
+        (Termination::Background, reference::Termination::Background),
+        (Termination::Black, reference::Termination::Black),
+        (
+            Termination::Color(Rgb::new(0.1, 0.5, 0.9)),
+            reference::Termination::Color([0.1, 0.5, 0.9].map(|x: f32| x.into())),
+        ),
+    ];
+    for (scene, depth) in [(scenes::MIRRORS, 9), (scenes::SPHERES, 2)] {
+        for cutoff in [0.0, 0.09, 0.6] {
+            for (termination, expected) in terminations {
+                let budget = Budget { cutoff, termination, ..Budget::with_depth(depth) };
+                let picture = render(&scene, Settings { budget, ..Settings::new(48, 36) });
+                let settings = reference::Settings::new(48, 36, depth.into());
+                let settings = reference::Settings { cutoff: cutoff.into(), termination: expected, ..settings };
+                let difference = Difference::between(&picture, &reference_of(&scene, &settings, 1).0);
+                assert!(difference.share_over_1_255 <= 0.002, "{cutoff} {expected:?}: {difference}");
+            }
+        }
     }
 }
 
