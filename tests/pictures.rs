@@ -227,3 +227,20 @@ fn white_furnace() {
         }
     }
 }
+
+/// Normals that lean towards a light do not let it through from behind the face.
+#[test]
+fn smooth_faces_are_dark_from_behind() {
+    use whit::scene::SmoothTriangle;
+    use whit::{Background, Light, Material, Object, Shape};
+    let vertices = [Vec3::new(-2.0, -2.0, 0.0), Vec3::new(2.0, -2.0, 0.0), Vec3::new(0.0, 3.0, 0.0)];
+    let shape = Shape::SmoothTriangle(SmoothTriangle { vertices, normals: [Vec3::new(0.9, 0.0, 0.3); 3] });
+    let objects = [Object::new(shape, Material::matte(Rgb::WHITE)).one_sided()];
+    let camera = Camera::look_at(Vec3::new(0.0, 0.0, 3.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 40.0);
+    for (z, lit) in [(-0.05, false), (0.05, true)] {
+        let lights = [Light::directional(Vec3::new(1.0, 0.0, z), Rgb::WHITE)];
+        let scene = Scene::new(camera, Background::Solid(Rgb::BLACK)).with_objects(&objects).with_lights(&lights);
+        let bright = render(&scene, Settings::new(20, 20)).iter().filter(|color| color[0] > 0.5).count();
+        assert_eq!(bright > 50, lit, "{bright} pixels are lit");
+    }
+}
