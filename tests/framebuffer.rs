@@ -1,5 +1,4 @@
-//! The framebuffer adapters, driven by hand: against the formulas of the standard library and the mock display of
-//! `embedded-graphics`.
+//! The framebuffer adapters, driven by hand: against the formulas of the standard library and the mock display.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, missing_docs)]
 
 #[path = "support/framebuffers.rs"]

@@ -89,7 +89,7 @@ impl<'a, T: Real> Walk<'a, T> {
         Self { gathered: Rgb::BLACK, current: Some(eye), shading: None, rays_left: rays }
     }
 
-    /// The walk itself, compiled once for every depth: it sees the stack as a view without its capacity.
+    /// Goes on until the tree is done (`true`) or `rays` is used up; it sees the stack as a view, whatever its depth.
     #[inline(always)]
     fn advance<const EFFECTS: u64, O: Observer>(
         &mut self,
