@@ -12,15 +12,15 @@ use crate::work::{Job, Picture, trace};
 pub const DEPTH: usize = 128;
 
 pub enum Source {
-    BuiltIn(&'static str),
+    BuiltIn { name: &'static str, scene: Scene<'static, f32> },
     File { name: String, size: Size, scene: FileScene },
 }
 
 impl Source {
     /// Finds a built-in scene by its name, or reads a file.
     pub fn open(name: &str) -> Result<Self, String> {
-        if let Some((name, _)) = scenes::ALL.iter().find(|(built_in, _)| *built_in == name) {
-            return Ok(Self::BuiltIn(name));
+        if let Some((name, scene)) = scenes::ALL.into_iter().find(|(built_in, _)| *built_in == name) {
+            return Ok(Self::BuiltIn { name, scene });
         }
         let path = Path::new(name);
         if path.extension().is_none_or(|extension| extension != "nff") {
@@ -36,7 +36,7 @@ impl Source {
 
     pub fn name(&self) -> &str {
         match self {
-            Self::BuiltIn(name) => name,
+            Self::BuiltIn { name, .. } => name,
             Self::File { name, .. } => name,
         }
     }
@@ -44,26 +44,26 @@ impl Source {
     /// The size of the picture when none is asked for.
     pub fn size(&self) -> Size {
         match self {
-            Self::BuiltIn("card" | "flake") => Size::new(512, 512),
-            Self::BuiltIn(_) => Size::new(640, 480),
+            Self::BuiltIn { name: "card" | "flake", .. } => Size::new(512, 512),
+            Self::BuiltIn { .. } => Size::new(640, 480),
             Self::File { size, .. } => *size,
         }
     }
 
     pub fn encoding(&self) -> Encoding {
         match self {
-            Self::BuiltIn("card") => Encoding::of(&scenes::CARD),
-            _ => Encoding::Srgb,
+            Self::BuiltIn { scene, .. } => Encoding::of(scene),
+            Self::File { .. } => Encoding::Srgb,
         }
     }
 
     pub fn render(&self, job: &Job) -> Result<Picture, String> {
         match self {
-            Self::BuiltIn("spheres") => trace(&whit::tracer!(scenes::SPHERES, DEPTH), job),
-            Self::BuiltIn("mirrors") => trace(&whit::tracer!(scenes::MIRRORS, DEPTH), job),
-            Self::BuiltIn("flake") => trace(&whit::tracer!(scenes::FLAKE, DEPTH), job),
-            Self::BuiltIn("card") => trace(&whit::tracer!(scenes::CARD, DEPTH), job),
-            Self::BuiltIn(_) => trace(&whit::tracer!(scenes::SHOWCASE, DEPTH), job),
+            Self::BuiltIn { name: "spheres", .. } => trace(&whit::tracer!(scenes::SPHERES, DEPTH), job),
+            Self::BuiltIn { name: "mirrors", .. } => trace(&whit::tracer!(scenes::MIRRORS, DEPTH), job),
+            Self::BuiltIn { name: "flake", .. } => trace(&whit::tracer!(scenes::FLAKE, DEPTH), job),
+            Self::BuiltIn { name: "card", .. } => trace(&whit::tracer!(scenes::CARD, DEPTH), job),
+            Self::BuiltIn { .. } => trace(&whit::tracer!(scenes::SHOWCASE, DEPTH), job),
             Self::File { scene, .. } => {
                 let scene = scene.as_scene().ok_or("the file was not read")?;
                 let tracer = Tracer::<f32, { Effects::ALL.bits() }, DEPTH>::try_new(&scene);
