@@ -83,7 +83,7 @@ fn several_samples_agree_with_the_reference() {
         let settings = reference::Settings::new(48, 48, 5);
         let difference = Difference::between(&picture, &reference_of(&scene, &settings, 4).0);
         println!("{name:10} 4 samples: {difference}");
-        assert!(difference.share_over_1_255 <= 0.004, "{name}: {difference}");
+        assert!(difference.share_over_1_255 <= 0.002, "{name}: {difference}");
     }
 }
 
