@@ -2,7 +2,8 @@
 //! while it runs.
 //!
 //! The library needs no standard library, no allocator and no recursion. It renders on a microcontroller, in a web
-//! page or on a workstation, and the same scene gives the same bits on all of them.
+//! page or on a workstation. Its arithmetic leaves nothing to the target: operations in a written order, none fused, and
+//! functions of `libm`.
 //!
 //! ```
 //! use whit::render::{Encoding, Rgb888, Size};

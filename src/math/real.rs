@@ -7,7 +7,7 @@ use super::square_root;
 
 /// A scalar number type.
 ///
-/// `f32` is the default. It uses `libm` and the correctly rounded square root, so it gives the same bits on every
+/// `f32` is the default. It uses `libm` and the correctly rounded square root, so nothing is left to the
 /// instruction set. `f64` runs the same code with more digits, to show what `f32` costs in accuracy.
 pub trait Real:
     Copy

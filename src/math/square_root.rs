@@ -1,7 +1,7 @@
 //! The square root that the hardware has.
 //!
-//! `core` has no stable square root and `libm`'s is integer code on Arm (52 instructions instead of 4 on a
-//! Cortex-M4F). The C symbols below are known to the compiler, which replaces the call by `vsqrt.f32`, `sqrtss` or
+//! `core` has no stable square root and `libm`'s is integer code on Arm, also where there is an FPU. The C
+//! symbols below are known to the compiler, which replaces the call by `vsqrt.f32`, `sqrtss` or
 //! `f32.sqrt`; where there is no such instruction, the compiler's own runtime library supplies them. IEEE 754 asks for
 //! the correctly rounded result, so every target gives the same bits.
 #![allow(unsafe_code)] // Declaring a foreign function is all it takes; the functions themselves are safe to call.

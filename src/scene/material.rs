@@ -61,7 +61,7 @@ pub enum Lobe {
 pub enum Exponent<T> {
     /// An integer, by repeated squaring.
     Integer(u32),
-    /// Any number, by `powf`: four times the work.
+    /// Any number, by `powf`: several times the work.
     Real(T),
 }
 
