@@ -22,6 +22,12 @@ impl<T: Real> Surface<T> {
         Self { point, normal, shading: normal, offset: offset(point, normal, error) }
     }
 
+    /// The geometric and the shading normal on the side that a ray comes from: outside if it meets the front.
+    #[inline(always)]
+    pub(crate) fn normals(&self, front: bool) -> (Vec3<T>, Vec3<T>) {
+        if front { (self.normal, self.shading) } else { (-self.normal, -self.shading) }
+    }
+
     /// A ray that leaves the surface: to the outside, or to the inside.
     #[inline]
     pub(crate) fn leave(&self, direction: Vec3<T>, outside: bool) -> Ray<T> {

@@ -49,12 +49,12 @@ impl<'a, T: Real> Shading<'a, T> {
             Some(body) if effects.has(Effects::BODY) => color_at::<T, EFFECTS>(&body.color, surface.point),
             _ => Rgb::BLACK,
         };
-        let sided = |v: Vec3<T>| if front { v } else { -v };
+        let (geometric, normal) = surface.normals(front);
         Some(Self {
             material,
             origin: surface.leave(incident, front).origin,
-            geometric: sided(surface.normal),
-            normal: sided(surface.shading),
+            geometric,
+            normal,
             incident,
             color,
             throughput,
@@ -64,10 +64,12 @@ impl<'a, T: Real> Shading<'a, T> {
     }
 
     /// The light the body gives off without any light.
-    pub(crate) fn emitted(&self) -> Rgb<T> {
+    pub(crate) fn emitted<const EFFECTS: u64>(&self) -> Rgb<T> {
         match &self.material.body {
-            Some(body) => self.throughput * self.color * body.emission,
-            None => Rgb::BLACK,
+            Some(body) if Effects::from_bits(EFFECTS).has(Effects::BODY) => {
+                self.throughput * self.color * body.emission
+            }
+            _ => Rgb::BLACK,
         }
     }
 

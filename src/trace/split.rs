@@ -61,8 +61,8 @@ struct Facing<T> {
 
 impl<T: Real> Facing<T> {
     fn new(surface: &Surface<T>, front: bool, incident: Vec3<T>) -> Self {
-        let sided = |v: Vec3<T>| if front { v } else { -v };
-        Self { geometric: sided(surface.normal), normal: sided(surface.shading), incident, front }
+        let (geometric, normal) = surface.normals(front);
+        Self { geometric, normal, incident, front }
     }
 
     /// The cosine of the angle of incidence; 0 for a shading normal that faces away from the ray.

@@ -156,7 +156,7 @@ impl<'a, T: Real> Walk<'a, T> {
         let material = &hit.object.material;
         self.shading = Shading::new::<EFFECTS>(material, &surface, front, incident, branch.throughput, branch.depth);
         if let Some(shading) = &self.shading {
-            self.gathered += shading.emitted();
+            self.gathered += shading.emitted::<EFFECTS>();
         }
         let split = Split::new::<EFFECTS>(&material.interface, scene.index, &surface, front, incident);
         if split.is_total {
