@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use super::square_root;
+use super::{exact_product, square_root};
 
 /// A scalar number type.
 ///
@@ -52,6 +52,9 @@ pub trait Real:
     fn powf(self, y: Self) -> Self;
     /// The largest integer that is not above x.
     fn floor(self) -> Self;
+
+    /// What rounding took from a product: self·other − product, exactly, for `product` = self·other as it is computed.
+    fn product_error(self, other: Self, product: Self) -> Self;
 
     /// |x|
     #[inline]
@@ -121,6 +124,10 @@ impl Real for f32 {
         libm::powf(self, y)
     }
     #[inline]
+    fn product_error(self, other: Self, product: Self) -> Self {
+        exact_product::error(self, other, product, 4097.0)
+    }
+    #[inline]
     fn floor(self) -> Self {
         // A few instructions in place of a call. From 2²³ on there are no fractions.
         let truncated = self as i32 as f32;
@@ -160,6 +167,10 @@ impl Real for f64 {
     #[inline]
     fn powf(self, y: Self) -> Self {
         libm::pow(self, y)
+    }
+    #[inline]
+    fn product_error(self, other: Self, product: Self) -> Self {
+        exact_product::error(self, other, product, 134_217_729.0)
     }
     #[inline]
     fn floor(self) -> Self {

@@ -2,19 +2,44 @@
 
 use crate::math::{Real, Vec3};
 
-/// cos²θ₂ = 1 − η²(1 − c²), by Snell's law sin θ₂ = η·sin θ₁; below zero on total internal reflection.
+/// cos θ₂ behind an interface, by Snell's law n₁·sin θ₁ = n₂·sin θ₂; `None` on total internal reflection.
 ///
-/// `ratio` is η = n₁/n₂ and `cosine` is c = cos θ₁.
+/// `n1` and `n2` are the indices of refraction on the side of the incident ray and behind; `cosine` is cos θ₁, from 0
+/// to 1.
 #[inline]
 #[must_use]
-pub fn transmitted_cosine_squared<T: Real>(ratio: T, cosine: T) -> T {
-    T::ONE - ratio * ratio * (T::ONE - cosine * cosine)
+pub fn transmitted_cosine<T: Real>(n1: T, n2: T, cosine: T) -> Option<T> {
+    let n = n2 / n1;
+    Some(normal_part(n, (n - T::ONE) * (n + T::ONE), cosine)? / n)
+}
+
+/// g = n·cos θ₂ = √(n² − 1 + c²) for n = n₂/n₁ and m = n² − 1; `None` where the radicand is negative.
+///
+/// Near the critical angle n² − 1 and c² cancel. There the squares are taken exactly, so that rounding neither makes a
+/// total reflection nor hides one.
+#[inline]
+pub(super) fn normal_part<T: Real>(n: T, m: T, cosine: T) -> Option<T> {
+    let square = cosine * cosine;
+    let mut radicand = m + square;
+    if radicand.abs() < square * T::from_f32(1.0 / 64.0) {
+        let n_square = n * n;
+        let errors = n.product_error(n, n_square) + cosine.product_error(cosine, square);
+        radicand = ((n_square - T::ONE) + square) + errors;
+    }
+    if radicand < T::ZERO { None } else { Some(radicand.sqrt()) }
+}
+
+/// The sine of the critical angle, n₂/n₁: light that comes at a larger angle from inside n₁ is reflected totally.
+/// `None` when no angle is, because behind is the denser side.
+#[inline]
+#[must_use]
+pub fn critical_sine<T: Real>(n1: T, n2: T) -> Option<T> {
+    if n1 > n2 { Some(n2 / n1) } else { None }
 }
 
 /// The refracted direction η·D + (η·c₁ − c₂)·N for unit `incident` and `normal`.
 ///
-/// `ratio` is η = n₁/n₂, `cosine` is c₁ = −D·N, and `transmitted_cosine` is c₂ = √(1 − η²(1 − c₁²)), which exists
-/// unless all light is reflected: see [`transmitted_cosine_squared`].
+/// `ratio` is η = n₁/n₂, `cosine` is c₁ = −D·N, and `transmitted_cosine` is c₂, of the function of that name.
 #[inline]
 #[must_use]
 pub fn refract<T: Real>(incident: Vec3<T>, normal: Vec3<T>, ratio: T, cosine: T, transmitted_cosine: T) -> Vec3<T> {
@@ -34,7 +59,7 @@ mod tests {
                 let angle = f64::from(degrees).to_radians();
                 let incident = Vec3::new(angle.sin(), 0.0, -angle.cos());
                 let ratio = n1 / n2;
-                let cosine = transmitted_cosine_squared(ratio, angle.cos()).sqrt();
+                let cosine = transmitted_cosine(n1, n2, angle.cos()).unwrap();
                 let refracted = refract(incident, normal, ratio, angle.cos(), cosine);
                 assert!((refracted.length() - 1.0).abs() < 1e-12);
                 assert!((n1 * angle.sin() - n2 * refracted.x).abs() < 1e-12);
@@ -46,7 +71,9 @@ mod tests {
     #[test]
     fn beyond_the_critical_angle_there_is_no_transmission() {
         let critical = (1.0_f64 / 1.5).asin();
-        assert!(transmitted_cosine_squared(1.5, (critical + 1e-6).cos()) < 0.0);
-        assert!(transmitted_cosine_squared(1.5, (critical - 1e-6).cos()) > 0.0);
+        assert_eq!(transmitted_cosine(1.5, 1.0, (critical + 1e-6).cos()), None);
+        assert!(transmitted_cosine(1.5, 1.0, (critical - 1e-6).cos()).is_some());
+        assert_eq!(critical_sine(1.5, 1.0).map(f64::asin), Some(critical));
+        assert_eq!(critical_sine(1.0, 1.5), None);
     }
 }

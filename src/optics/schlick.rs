@@ -1,6 +1,6 @@
 //! Schlick's approximation of the Fresnel equations (Schlick 1994, equation 15).
 
-use super::transmitted_cosine_squared;
+use super::transmitted_cosine;
 use crate::math::Real;
 
 /// Reflectance at normal incidence between two dielectrics, R₀ = ((n₁ − n₂)/(n₁ + n₂))².
@@ -27,11 +27,7 @@ pub fn schlick<T: Real>(r0: T, cosine: T) -> T {
 #[inline]
 #[must_use]
 pub fn schlick_dielectric<T: Real>(n1: T, n2: T, cosine: T) -> Option<(T, T)> {
-    let square = transmitted_cosine_squared(n1 / n2, cosine);
-    if square < T::ZERO {
-        return None;
-    }
-    let transmitted = square.sqrt();
+    let transmitted = transmitted_cosine(n1, n2, cosine)?;
     let r0 = normal_reflectance(n1, n2);
     Some((schlick(r0, if n1 > n2 { transmitted } else { cosine }), transmitted))
 }
