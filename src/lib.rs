@@ -90,6 +90,7 @@ pub use intersect::Ray;
 pub use math::{Real, Rgb, Vec3};
 pub use render::{Frame, Framebuffer, Settings};
 pub use scene::{
-    Background, Camera, Effects, Interface, Light, Material, Object, Pattern, Scene, SceneBuf, Shape, Tone, scenes,
+    Background, Camera, Effects, Fresnel, Interface, Light, Material, Medium, Object, Pattern, Scene, SceneBuf, Shape,
+    Tone, scenes,
 };
 pub use trace::{Budget, Observer, Stats, Termination, Tracer};

@@ -94,7 +94,7 @@ fn senseless_numbers_are_refused() {
     );
     assert_eq!(
         refused(&|_, objects| objects[4].material = whit::Material::dielectric(0.0)),
-        "object 4: interface.index: expected an index of refraction from 1e-3 to 1e3"
+        "object 4: interface.medium.index: expected an index of refraction from 1e-3 to 1e3"
     );
     assert_eq!(
         refused(&|_, objects| objects[1].material = whit::Material::mirror(Rgb::grey(1.5))),

@@ -7,7 +7,7 @@ mod framebuffers;
 use framebuffers::{Counting, Failing, Failure};
 use whit::render::{LinearRgb, Order, Progress, RenderError, Sampling, SettingsError, Size};
 use whit::trace::{Budget, Dropped, Termination};
-use whit::{Effects, Frame, Rgb, Scene, Settings, Stats, Tracer, scenes};
+use whit::{Effects, Frame, Medium, Rgb, Scene, Settings, Stats, Tracer, scenes};
 
 const WIDTH: u32 = 40;
 const HEIGHT: u32 = 30;
@@ -234,7 +234,7 @@ fn adaptive_samples_go_where_the_contrast_is() {
 #[test]
 fn branches_without_weight_are_not_spawned() {
     use whit::{Interface, Material, Object, Shape, Vec3};
-    let clear = Interface::Constant { reflected: Rgb::BLACK, transmitted: Rgb::WHITE, index: 1.5 };
+    let clear = Interface::Constant { reflected: Rgb::BLACK, transmitted: Rgb::WHITE, medium: Medium::new(1.5) };
     let ball = Shape::sphere(Vec3::new(0.0, 0.9, 0.4), 0.9);
     let objects = [Object::new(ball, Material::dielectric(1.5).with_interface(clear))];
     let (_, stats) = whole(&scenes::SPHERES.with_objects(&objects), settings());

@@ -7,13 +7,12 @@ mod reference;
 use reference::compare::{Difference, share_over};
 use reference::optics::branches;
 use reference::shapes::Ray;
-use reference::vector::Color;
 use reference::vector::Vector;
 use reference::world::World;
 use reference::{Branch, Counts, Samples, Settings, Termination, render};
 use whit::scene::{
-    Aperture, Background, Camera, Emitter, Extent, Falloff, Interface, Lens, Light, Material, Object, Pattern, Scene,
-    Shape, Tone,
+    Aperture, Background, Camera, Emitter, Extent, Falloff, Fresnel, Interface, Lens, Light, Material, Medium, Object,
+    Pattern, Scene, Shape, Tone,
 };
 use whit::{Rgb, Vec3};
 
@@ -35,8 +34,7 @@ fn scene<'a>(background: Background<f32>, objects: &'a [Object<'a, f32>], lights
 fn trace(scene: &Scene<'_, f32>, settings: &Settings, ray: &Ray) -> ([f64; 3], Counts) {
     let mut counts = Counts::default();
     let world = &World::new(scene);
-    let branch = Branch { world, settings, numbers: &|_| [0.5, 0.5], depth: 0, throughput: Color::WHITE };
-    (branch.trace(ray, &mut counts).0, counts)
+    (Branch::eye(world, settings, &|_| [0.5, 0.5]).trace(ray, &mut counts).0, counts)
 }
 
 fn close(a: [f64; 3], b: [f64; 3], tolerance: f64) {
@@ -71,7 +69,9 @@ fn a_slab_displaces_a_ray_by_the_textbook_amount() {
         let enter = Ray::new(v(-3.0 * sine, 3.0 * cosine, 0.0), v(sine, -cosine, 0.0));
         let follow = |ray: &Ray| {
             let hit = world.nearest(ray).unwrap();
-            hit.leave(branches(&hit, ray.direction, 1.0).transmitted.unwrap().1)
+            let border = world.border(ray, &hit).unwrap();
+            let branches = branches(&hit, ray.direction, &border, Fresnel::Exact, None);
+            hit.leave(branches.transmitted[0].direction)
         };
         let inside = follow(&enter);
         let exit = follow(&inside);
@@ -93,10 +93,11 @@ fn lossless_glass_in_a_uniform_background_is_invisible() {
         Shape::axis_box(Vec3::splat(-0.7), Vec3::new(0.7, 0.9, 0.8)),
         Shape::cone(Vec3::new(-0.7, -0.5, 0.0), 0.8, Vec3::new(0.9, 0.7, 0.3), 0.2).capped(),
     ];
-    let constant = Interface::Constant { reflected: Rgb::grey(0.25), transmitted: Rgb::grey(0.75), index: 1.5 };
+    let constant =
+        Interface::Constant { reflected: Rgb::grey(0.25), transmitted: Rgb::grey(0.75), medium: Medium::new(1.5) };
     for shape in shapes {
-        for interface in [Interface::Dielectric { index: 1.5 }, Interface::Dielectric { index: 0.7 }, constant] {
-            let glass = [Object::new(shape, Material { body: None, highlight: None, interface })];
+        for interface in [Material::dielectric(1.5).interface, Material::dielectric(0.7).interface, constant] {
+            let glass = [Object::new(shape, Material::dielectric(1.0).with_interface(interface))];
             let scene = scene(Background::Solid(Rgb::WHITE), &glass, &[]);
             for depth in 0..=7 {
                 let (picture, counts) = render(&scene, &Settings::new(24, 24, depth), &Samples::CENTRE);
@@ -111,7 +112,7 @@ fn lossless_glass_in_a_uniform_background_is_invisible() {
 #[test]
 fn total_internal_reflection_takes_both_shares() {
     let (reflected, transmitted) = (Rgb::new(0.125, 0.25, 0.5), Rgb::new(0.25, 0.5, 0.125));
-    let interface = Interface::Constant { reflected, transmitted, index: 1.5 };
+    let interface = Interface::Constant { reflected, transmitted, medium: Medium::new(1.5) };
     let water = [Object::new(Shape::plane(Vec3::ZERO, UP), Material { interface, ..Material::dielectric(1.0) })];
     let scene = scene(DAYLIGHT, &water, &[]);
     let critical = (1.0_f64 / 1.5).asin();

@@ -8,13 +8,15 @@ use std::sync::Mutex;
 
 use reference::camera::concentric;
 use reference::light::{arriving, background, frame};
-use reference::optics::{Branches, branches};
+use reference::optics::{Branches, Transmitted, branches};
 use reference::shade::{local, pattern};
 use reference::shapes::Ray;
 use reference::vector::{Color, Vector};
 use reference::world::World;
 use reference::{Counts, Samples, Settings, trace_pixel};
-use whit::scene::{Background, Camera, Interface, Light, Material, Object, Pattern, Scene, Shape, SmoothTriangle};
+use whit::scene::{
+    Background, Camera, Fresnel, Interface, Light, Material, Medium, Object, Pattern, Scene, Shape, SmoothTriangle,
+};
 use whit::{Rgb, Vec3};
 
 const UP: Vec3<f32> = Vec3::new(0.0, 1.0, 0.0);
@@ -28,9 +30,11 @@ fn v(x: f64, y: f64, z: f64) -> Vector {
 /// The branches where a ray from above (or from below, for a negative height) meets the plane y = 0.
 fn on_plane(material: Material<f32>, surroundings: f32, angle: f64, height: f64) -> Branches {
     let plane = [Object::new(Shape::plane(Vec3::ZERO, UP), material)];
-    let scene = Scene { index: surroundings, ..Scene::new(CAMERA, BLACK).with_objects(&plane) };
+    let scene = Scene::new(CAMERA, BLACK).with_objects(&plane).with_medium(Medium::new(surroundings));
+    let world = World::new(&scene);
     let ray = Ray::new(v(0.0, height, 0.0), v(angle.sin(), -angle.cos() * height.signum(), 0.0));
-    branches(&World::new(&scene).nearest(&ray).unwrap(), ray.direction, surroundings.into())
+    let hit = world.nearest(&ray).unwrap();
+    branches(&hit, ray.direction, &world.border(&ray, &hit).unwrap(), Fresnel::Schlick, None)
 }
 
 #[test]
@@ -40,7 +44,7 @@ fn schlick_takes_the_same_share_both_ways() {
             let glass = Material::dielectric(index);
             let from_rare = if surroundings < index { 1.0 } else { -1.0 };
             let enter = on_plane(glass, surroundings, angle, from_rare);
-            let (share, refracted) = enter.transmitted.unwrap();
+            let Transmitted { weight: share, direction: refracted, .. } = enter.transmitted[0];
             let inside = refracted.x.asin();
             let (n1, n2) = (f64::from(surroundings.min(index)), f64::from(surroundings.max(index)));
             assert!((n1 * angle.sin() - n2 * inside.sin()).abs() < 1e-15);
@@ -50,7 +54,7 @@ fn schlick_takes_the_same_share_both_ways() {
             assert!((share.0[1] - (1.0 - expected)).abs() < 1e-15);
             let leave = on_plane(glass, surroundings, inside, -from_rare);
             assert!((leave.reflected.unwrap().0.0[2] - expected).abs() < 1e-14);
-            assert!((leave.transmitted.unwrap().1.x - angle.sin()).abs() < 1e-14);
+            assert!((leave.transmitted[0].direction.x - angle.sin()).abs() < 1e-14);
         }
     }
 }
@@ -81,10 +85,11 @@ fn branches_keep_to_their_side_of_a_smooth_triangle() {
                 let hit = world.nearest(&ray).unwrap();
                 assert_eq!(hit.geometric, v(0.0, height, 0.0));
                 assert!(hit.normal.dot(hit.geometric) > 0.0);
-                let branches = branches(&hit, ray.direction, 1.0);
+                let border = world.border(&ray, &hit).unwrap();
+                let branches = branches(&hit, ray.direction, &border, Fresnel::Exact, None);
                 assert!(branches.reflected.unwrap().1.dot(hit.geometric) > 0.0);
-                assert!(branches.transmitted.is_none_or(|(_, direction)| direction.dot(hit.geometric) < 0.0));
-                assert_eq!(branches.total_internal, branches.transmitted.is_none());
+                assert!(branches.transmitted.iter().all(|branch| branch.direction.dot(hit.geometric) < 0.0));
+                assert_eq!(branches.total_internal, branches.transmitted.is_empty());
             }
         }
     }
@@ -119,7 +124,7 @@ fn one_sided_and_shadowless_objects_let_rays_pass() {
         let ray = Ray::new(v(2.0, 2.0, 0.0), v(-1.0, -1.0, 0.0));
         let hit = world.nearest(&ray).unwrap();
         let mut counts = Counts::default();
-        let light = local(&world, &hit, ray.direction, 0, &|_| [0.5, 0.5], &mut counts);
+        let light = local(&world, &hit, ray.direction, Color::WHITE, 0, &|_| [0.5, 0.5], &mut counts);
         assert!((light.max_channel() - expected).abs() < 1e-12, "{object:?} {lights:?} {light:?}");
         assert_eq!(counts, Counts { shadow, ..Counts::default() });
         // From within, the one-sided ball is not there.
@@ -166,12 +171,13 @@ fn patterns_and_skies_have_their_closed_forms() {
 
 #[test]
 fn constant_shares_do_not_depend_on_the_angle() {
-    let interface = Interface::Constant { reflected: Rgb::grey(0.25), transmitted: Rgb::grey(0.5), index: 1.5 };
+    let interface =
+        Interface::Constant { reflected: Rgb::grey(0.25), transmitted: Rgb::grey(0.5), medium: Medium::new(1.5) };
     let material = Material { interface, ..Material::dielectric(1.0) };
     for angle in [0.0, 0.5, 1.5] {
         let branches = on_plane(material, 1.0, angle, 1.0);
         assert_eq!(branches.reflected.unwrap().0, Color::grey(0.25));
-        assert_eq!(branches.transmitted.unwrap().0, Color::grey(0.5));
+        assert_eq!(branches.transmitted[0].weight, Color::grey(0.5));
     }
     let total = on_plane(material, 1.0, 1.5, -1.0);
     assert_eq!((total.reflected.unwrap().0, total.total_internal), (Color::grey(0.75), true));
@@ -208,7 +214,7 @@ fn a_light_behind_the_flat_triangle_or_the_smooth_one_does_not_count() {
         let ray = Ray::new(v(0.0, 1.0, 0.0), v(0.0, -1.0, 0.0));
         let hit = world.nearest(&ray).unwrap();
         let mut counts = Counts::default();
-        let light = local(&world, &hit, ray.direction, 0, &|_| [0.5, 0.5], &mut counts);
+        let light = local(&world, &hit, ray.direction, Color::WHITE, 0, &|_| [0.5, 0.5], &mut counts);
         assert!((light.max_channel() - expected).abs() < 1e-12);
         assert_eq!(counts.shadow, u64::from(expected > 0.0));
     }

@@ -34,8 +34,8 @@ impl Job {
 }
 
 /// Traces the rows of a job, each as a frame of its own, on as many threads as there are cores or were asked for.
-pub fn trace<const EFFECTS: u64, const DEPTH: usize>(
-    tracer: &Tracer<'_, f32, EFFECTS, DEPTH>,
+pub fn trace<const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize>(
+    tracer: &Tracer<'_, f32, EFFECTS, DEPTH, MEDIA>,
     job: &Job,
 ) -> Result<Picture, String> {
     let width = job.settings.size.width as usize;
@@ -59,13 +59,13 @@ pub fn trace<const EFFECTS: u64, const DEPTH: usize>(
     Ok(Picture { width: width as u32, pixels, dropped, stats: stats? })
 }
 
-fn trace_row<'a, const EFFECTS: u64, const DEPTH: usize, O: whit::trace::Observer>(
-    tracer: &Tracer<'a, f32, EFFECTS, DEPTH>,
+fn trace_row<'a, const EFFECTS: u64, const DEPTH: usize, O: whit::trace::Observer, const MEDIA: usize>(
+    tracer: &Tracer<'a, f32, EFFECTS, DEPTH, MEDIA>,
     settings: &Settings<f32>,
     y: u32,
     pixels: &mut [Rgb<f32>],
     observer: O,
-) -> Result<Frame<'a, f32, EFFECTS, DEPTH, O>, String> {
+) -> Result<Frame<'a, f32, EFFECTS, DEPTH, O, MEDIA>, String> {
     let settings = Settings { rows: y..y + 1, ..settings.clone() };
     let mut target = ForEach::new(settings.size, |pixel| {
         set(pixels, pixel.x, pixel.color);
@@ -103,8 +103,10 @@ pub fn stats_as_json(stats: &Stats, seconds: f64) -> serde_json::Value {
         "eye": stats.eye,
         "reflected": stats.reflected,
         "transmitted": stats.transmitted,
+        "passed": stats.passed,
         "shadow": stats.shadow,
         "total_internal": stats.total_internal,
+        "media_overflows": stats.media_overflows,
         "cut_by_depth": stats.cut_by_depth,
         "cut_by_cutoff": stats.cut_by_cutoff,
         "cut_by_budget": stats.cut_by_budget,

@@ -13,5 +13,5 @@ mod triangle;
 
 pub(crate) use ray::Contact;
 pub use ray::Ray;
-pub(crate) use search::{Hit, nearest, occluded};
+pub(crate) use search::{Hit, encloses, nearest, occluded};
 pub(crate) use surface::Surface;

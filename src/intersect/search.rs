@@ -13,16 +13,19 @@ pub(crate) struct Hit<'a, T> {
     pub contact: Contact<T>,
 }
 
-/// The nearest contact with any object; of two equally near ones the first in the list.
+/// The nearest contact before `limit` with any object that `look_at` admits; of two equally near ones the first in the
+/// list.
 #[inline]
 pub(crate) fn nearest<'a, T: Real, const EFFECTS: u64>(
     objects: &'a [Object<'a, T>],
     ray: &Ray<T>,
+    limit: T,
+    look_at: impl Fn(&Object<'a, T>) -> bool,
 ) -> Option<Hit<'a, T>> {
     let search = Search::<T, EFFECTS>::new(ray);
     let mut best: Option<Hit<'a, T>> = None;
-    let mut limit = T::MAX;
-    for object in objects {
+    let mut limit = limit;
+    for object in objects.iter().filter(|object| look_at(object)) {
         if let Some((contact, primitive)) = search.nearest(object, limit) {
             limit = contact.t;
             best = Some(Hit { object, primitive, contact });
@@ -36,9 +39,24 @@ pub(crate) fn nearest<'a, T: Real, const EFFECTS: u64>(
 pub(crate) fn occluded<T: Real, const EFFECTS: u64>(objects: &[Object<'_, T>], ray: &Ray<T>, distance: T) -> bool {
     let search = Search::<T, EFFECTS>::new(ray);
     objects.iter().any(|object| {
-        let casts = !has::<EFFECTS>(Effects::SHADOWLESS) || object.shadow == Shadow::Full;
+        let all_cast = !has::<EFFECTS>(Effects::SHADOWLESS.with(Effects::TINTED_SHADOW));
+        let casts = all_cast || object.shadow == Shadow::Full;
         casts && search.any(object, distance)
     })
+}
+
+/// Whether the origin of a ray lies inside an object, for what has an inside: half-spaces and closed shapes.
+pub(crate) fn encloses<T: Real, const EFFECTS: u64>(object: &Object<'_, T>, ray: &Ray<T>) -> bool {
+    match &object.shape {
+        Shape::Plane(plane) => (ray.origin - plane.point).dot(plane.normal) < T::ZERO,
+        Shape::Disc(_) | Shape::Triangle(_) | Shape::SmoothTriangle(_) => false,
+        // Turned inside out, it encloses all the rest of space.
+        Shape::Sphere(s) if s.radius < T::ZERO => (ray.origin - s.center).length() > -s.radius,
+        _ => {
+            let nearest = Search::<T, EFFECTS>::new(ray).nearest(object, T::MAX);
+            nearest.is_some_and(|(contact, _)| !contact.front())
+        }
+    }
 }
 
 impl<T: Real> Hit<'_, T> {

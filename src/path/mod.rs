@@ -2,12 +2,21 @@
 
 use crate::intersect::{Hit, Ray, nearest, occluded};
 use crate::math::Real;
-use crate::scene::Scene;
+use crate::scene::{Scene, Shadow};
 
 /// The surface that light comes from along a ray.
 #[inline]
 pub(crate) fn next_surface<'a, T: Real, const EFFECTS: u64>(scene: &Scene<'a, T>, ray: &Ray<T>) -> Option<Hit<'a, T>> {
-    nearest::<T, EFFECTS>(scene.objects, ray)
+    nearest::<T, EFFECTS>(scene.objects, ray, T::MAX, |_| true)
+}
+
+/// The surface of an object with a tinted shadow that light meets first along a ray, before `distance`.
+pub(crate) fn next_tinted_surface<'a, T: Real, const EFFECTS: u64>(
+    scene: &Scene<'a, T>,
+    ray: &Ray<T>,
+    distance: T,
+) -> Option<Hit<'a, T>> {
+    nearest::<T, EFFECTS>(scene.objects, ray, distance, |object| object.shadow == Shadow::Tinted)
 }
 
 /// Whether light reaches the origin of a ray from the given distance along it.

@@ -80,43 +80,45 @@ enum Phase<T> {
 /// }
 /// ```
 #[derive(Clone, Debug)]
-pub struct Frame<'a, T, const EFFECTS: u64, const DEPTH: usize, O = ()> {
-    tracer: Tracer<'a, T, EFFECTS, DEPTH>,
+pub struct Frame<'a, T, const EFFECTS: u64, const DEPTH: usize, O = (), const MEDIA: usize = 0> {
+    tracer: Tracer<'a, T, EFFECTS, DEPTH, MEDIA>,
     settings: Settings<T>,
     view: View<T>,
     cursor: Cursor,
     phase: Phase<T>,
     pixel: Accumulator<T>,
     sequence: Sequence,
-    tree: RayTree<'a, T, DEPTH>,
+    tree: RayTree<'a, T, DEPTH, MEDIA>,
     observer: O,
 }
 
 // What is asked of a frame of five bounces.
 const _: () = assert!(size_of::<Frame<'_, f32, 0, 5>>() <= 1024);
 
-impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize> Frame<'a, T, EFFECTS, DEPTH> {
+impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Frame<'a, T, EFFECTS, DEPTH, (), MEDIA> {
     /// A frame that is about to begin.
     ///
     /// # Errors
     /// Says which setting is out of its range.
-    pub fn new(tracer: &Tracer<'a, T, EFFECTS, DEPTH>, settings: Settings<T>) -> Result<Self, SettingsError> {
+    pub fn new(tracer: &Tracer<'a, T, EFFECTS, DEPTH, MEDIA>, settings: Settings<T>) -> Result<Self, SettingsError> {
         Self::observed(tracer, settings, ())
     }
 }
 
-impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer> Frame<'a, T, EFFECTS, DEPTH, O> {
+impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MEDIA: usize>
+    Frame<'a, T, EFFECTS, DEPTH, O, MEDIA>
+{
     /// A frame that tells an observer of its rays: [`Stats`](crate::Stats), [`Dropped`](crate::trace::Dropped), a
     /// pair of observers, or one's own.
     ///
     /// # Errors
     /// Says which setting is out of its range.
     pub fn observed(
-        tracer: &Tracer<'a, T, EFFECTS, DEPTH>,
+        tracer: &Tracer<'a, T, EFFECTS, DEPTH, MEDIA>,
         settings: Settings<T>,
         observer: O,
     ) -> Result<Self, SettingsError> {
-        settings.check(DEPTH)?;
+        settings.check(tracer.depth())?;
         let cursor = Cursor::new(settings.size.width, &settings.rows, settings.order);
         Ok(Self {
             tracer: *tracer,

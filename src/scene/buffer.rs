@@ -4,7 +4,7 @@ use core::fmt;
 
 use heapless::Vec;
 
-use super::{Background, Camera, Light, Object, Scene, Tone};
+use super::{Background, Camera, Fresnel, Light, Medium, Object, Scene, Tone};
 use crate::math::Real;
 
 /// A scene with room for `OBJECTS` objects and `LIGHTS` lights.
@@ -27,8 +27,10 @@ pub struct SceneBuf<T: 'static, const OBJECTS: usize, const LIGHTS: usize> {
     pub camera: Camera<T>,
     /// What rays see that meet nothing.
     pub background: Background<T>,
-    /// Index of refraction between the objects.
-    pub index: T,
+    /// What fills the space between the objects.
+    pub medium: Medium<T>,
+    /// How the reflectance of dielectrics and coats is computed.
+    pub fresnel: Fresnel,
     /// From light to the values of pixels.
     pub tone: Tone<T>,
     objects: Vec<Object<'static, T>, OBJECTS>,
@@ -79,8 +81,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize> SceneStore for SceneBuf<f32, OBJ
     }
 
     fn restart(&mut self, camera: Camera<f32>, background: Background<f32>) {
-        self.clear();
-        (self.camera, self.background, self.index, self.tone) = (camera, background, 1.0, Tone::Linear);
+        *self = Self::new(camera, background);
     }
 
     fn add_object(&mut self, object: Object<'static, f32>) -> Result<(), Full> {
@@ -95,7 +96,15 @@ impl<const OBJECTS: usize, const LIGHTS: usize> SceneStore for SceneBuf<f32, OBJ
 impl<T: Real, const OBJECTS: usize, const LIGHTS: usize> SceneBuf<T, OBJECTS, LIGHTS> {
     /// An empty scene in a vacuum.
     pub const fn new(camera: Camera<T>, background: Background<T>) -> Self {
-        Self { camera, background, index: T::ONE, tone: Tone::Linear, objects: Vec::new(), lights: Vec::new() }
+        Self {
+            camera,
+            background,
+            medium: Medium::VACUUM,
+            fresnel: Fresnel::Exact,
+            tone: Tone::Linear,
+            objects: Vec::new(),
+            lights: Vec::new(),
+        }
     }
 
     /// A copy of a scene in another number type, each primitive of a slice an object of its own.
@@ -104,7 +113,8 @@ impl<T: Real, const OBJECTS: usize, const LIGHTS: usize> SceneBuf<T, OBJECTS, LI
     /// [`Full`] when the scene has more primitives or lights than there is room for.
     pub fn from_scene<U: Real>(scene: &Scene<'_, U>, convert: impl Fn(U) -> T) -> Result<Self, Full> {
         let mut buffer = Self::new(scene.camera.map(&convert), scene.background.map(&convert));
-        buffer.index = convert(scene.index);
+        buffer.medium = scene.medium.map(&convert);
+        buffer.fresnel = scene.fresnel;
         buffer.tone = scene.tone.map(&convert);
         for object in scene.objects {
             let mut index = 0;
@@ -159,7 +169,8 @@ impl<T: Real, const OBJECTS: usize, const LIGHTS: usize> SceneBuf<T, OBJECTS, LI
         Scene {
             camera: self.camera,
             background: self.background,
-            index: self.index,
+            medium: self.medium,
+            fresnel: self.fresnel,
             objects: &self.objects,
             lights: &self.lights,
             tone: self.tone,

@@ -2,9 +2,6 @@
 
 use core::fmt;
 
-use super::{Background, Emitter, Exponent, Interface, Light, Lobe, Material, Object, Pattern, Scene, Shadow, Shape};
-use super::{Sides, Tone};
-
 /// A set of effects: one bit for each optical effect and each kind of shape, pattern, light and background.
 ///
 /// [`Scene::effects`] reads it off a scene in constant evaluation; a [`Tracer`](crate::Tracer) has it as a constant
@@ -86,6 +83,38 @@ effects! {
     LENS = 29, "lens";
     /// [`Tone::Display`]
     DISPLAY_TONE = 30, "display-tone";
+    /// [`Fresnel::Exact`], where a dielectric without a film or a coat calls for it.
+    FRESNEL = 31, "fresnel";
+    /// [`Fresnel::Schlick`], where a dielectric without a film or a coat calls for it.
+    SCHLICK = 32, "schlick";
+    /// [`Interface::Conductor`] without a film.
+    CONDUCTOR = 33, "conductor";
+    /// [`Interface::Coat`]
+    COAT = 34, "coat";
+    /// A medium with [`attenuation`](super::Medium::attenuation).
+    ATTENUATION = 35, "attenuation";
+    /// A medium with a [`priority`](super::Medium::priority).
+    PRIORITY = 36, "priority";
+    /// [`Shadow::Tinted`]
+    TINTED_SHADOW = 37, "tinted-shadow";
+    /// [`Index::Dispersive`]
+    DISPERSION = 38, "dispersion";
+    /// A thin film on a dielectric.
+    DIELECTRIC_FILM = 39, "film-on-dielectric";
+    /// A thin film on a conductor.
+    CONDUCTOR_FILM = 40, "film-on-conductor";
+    /// [`Spectrum::Wavelengths`]
+    FILM_WAVELENGTHS = 41, "film-wavelengths";
+    /// [`Spectrum::Bands`]
+    FILM_BANDS = 42, "film-bands";
+    /// [`Spectrum::Table`]
+    FILM_TABLE = 43, "film-table";
+    /// [`Thickness::Gradient`]
+    FILM_GRADIENT = 44, "film-gradient";
+    /// [`Thickness::Radial`]
+    FILM_RADIAL = 45, "film-radial";
+    /// [`Balance`](super::Balance)
+    BALANCE = 46, "balance";
 }
 
 impl Effects {
@@ -149,101 +178,5 @@ impl fmt::Display for Effects {
 impl fmt::Debug for Effects {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Effects({self})")
-    }
-}
-
-impl<T> Scene<'_, T> {
-    /// The effects that the scene calls for. It reads structure only (which variants, `Some` or `None`), never a
-    /// number, so it works in constant evaluation for every number type.
-    #[must_use]
-    #[allow(clippy::indexing_slicing)] // In range by the loop's condition; iterators are not const.
-    pub const fn effects(&self) -> Effects {
-        let mut effects = match self.background {
-            Background::Solid(_) => Effects::NONE,
-            Background::Gradient { .. } => Effects::BACKGROUND_GRADIENT,
-            Background::Sky { .. } => Effects::SKY,
-        };
-        if self.camera.lens.is_some() {
-            effects = effects.with(Effects::LENS);
-        }
-        if matches!(self.tone, Tone::Display { .. }) {
-            effects = effects.with(Effects::DISPLAY_TONE);
-        }
-        let mut i = 0;
-        while i < self.objects.len() {
-            effects = effects.with(self.objects[i].effects());
-            i += 1;
-        }
-        let mut i = 0;
-        while i < self.lights.len() {
-            effects = effects.with(self.lights[i].effects());
-            i += 1;
-        }
-        effects
-    }
-}
-
-impl<T> Object<'_, T> {
-    const fn effects(&self) -> Effects {
-        let mut effects = self.material.effects().with(match self.shape {
-            Shape::Sphere(_) => Effects::SPHERE,
-            Shape::Spheres(_) => Effects::SPHERES,
-            Shape::Plane(_) => Effects::PLANE,
-            Shape::Disc(_) => Effects::DISC,
-            Shape::Box(_) => Effects::BOX,
-            Shape::Triangle(_) => Effects::TRIANGLE,
-            Shape::Triangles(_) => Effects::TRIANGLES,
-            Shape::SmoothTriangle(_) => Effects::SMOOTH_TRIANGLE,
-            Shape::Cone(_) => Effects::CONE,
-        });
-        if matches!(self.sides, Sides::Outside) {
-            effects = effects.with(Effects::ONE_SIDED);
-        }
-        if matches!(self.shadow, Shadow::None) {
-            effects = effects.with(Effects::SHADOWLESS);
-        }
-        effects
-    }
-}
-
-impl<T> Material<T> {
-    const fn effects(&self) -> Effects {
-        let mut effects = match self.interface {
-            Interface::Opaque => Effects::NONE,
-            Interface::Mirror { .. } => Effects::MIRROR,
-            Interface::Metal { .. } => Effects::METAL,
-            Interface::Constant { .. } => Effects::CONSTANT,
-            Interface::Dielectric { .. } => Effects::DIELECTRIC,
-        };
-        if let Some(body) = &self.body {
-            effects = effects.with(Effects::BODY).with(match body.color {
-                Pattern::Solid(_) => Effects::NONE,
-                Pattern::Checker { .. } => Effects::CHECKER,
-                Pattern::Gradient { .. } => Effects::GRADIENT,
-            });
-        }
-        if let Some(highlight) = &self.highlight {
-            effects = effects.with(match highlight.lobe {
-                Lobe::Blinn => Effects::BLINN,
-                Lobe::Phong => Effects::PHONG,
-            });
-            effects = effects.with(match highlight.exponent {
-                Exponent::Integer(_) => Effects::INTEGER_EXPONENT,
-                Exponent::Real(_) => Effects::REAL_EXPONENT,
-            });
-        }
-        effects
-    }
-}
-
-impl<T> Light<T> {
-    const fn effects(&self) -> Effects {
-        let effects = match self.emitter {
-            Emitter::Point { .. } => Effects::POINT_LIGHT,
-            Emitter::Directional { .. } => Effects::DIRECTIONAL_LIGHT,
-            Emitter::Sphere { .. } => Effects::SPHERE_LIGHT,
-            Emitter::Parallelogram { .. } => Effects::PARALLELOGRAM_LIGHT,
-        };
-        if self.falloff.is_some() { effects.with(Effects::FALLOFF) } else { effects }
     }
 }

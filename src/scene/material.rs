@@ -1,6 +1,6 @@
 //! What light does at a surface.
 
-use super::Pattern;
+use super::{Film, Interface, Medium, Pattern};
 use crate::math::{Real, Rgb};
 
 /// How a surface looks: a diffuse body, a highlight and an interface, each of which may be missing.
@@ -18,6 +18,8 @@ pub struct Material<T> {
     pub highlight: Option<Highlight<T>>,
     /// Whether branches of light are reflected and transmitted, and how much.
     pub interface: Interface<T>,
+    /// How much the body and highlight count against the branches; `None` adds them up as they are.
+    pub balance: Option<Balance<T>>,
 }
 
 /// The part of a material that has a colour of its own.
@@ -65,36 +67,18 @@ pub enum Exponent<T> {
     Real(T),
 }
 
-/// What happens to the light that does not enter the body.
+/// How much a surface's own light counts against what it reflects and transmits, and both together.
+///
+/// A surface that shines and is coloured as well adds up to more light than either alone. Choose the `ratio` for the
+/// look first, then the `brightness`; the one leaves the other as it is.
+///
+/// own light · brightness·(1 − ratio) + branches · brightness·ratio
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Interface<T> {
-    /// No branches.
-    Opaque,
-    /// A reflected branch of constant weight k_r.
-    Mirror {
-        /// k_r per channel.
-        reflected: Rgb<T>,
-    },
-    /// A reflected branch weighted by Schlick's approximation; a metal.
-    Metal {
-        /// Reflectance at normal incidence, R₀, per channel.
-        r0: Rgb<T>,
-    },
-    /// A reflected and a transmitted branch of constant weights k_r and k_t, whatever the angle. On total internal
-    /// reflection the reflected branch takes both.
-    Constant {
-        /// k_r per channel.
-        reflected: Rgb<T>,
-        /// k_t per channel.
-        transmitted: Rgb<T>,
-        /// Index of refraction inside.
-        index: T,
-    },
-    /// A reflected and a transmitted branch weighted by Schlick's approximation R and by 1 − R.
-    Dielectric {
-        /// Index of refraction inside.
-        index: T,
-    },
+pub struct Balance<T> {
+    /// From 0 for the surface's own light alone (body and highlight) to 1 for reflected and transmitted light alone.
+    pub ratio: T,
+    /// Factor on all of it; ratio·brightness is at most 1.
+    pub brightness: T,
 }
 
 impl<T: Real> Material<T> {
@@ -106,22 +90,37 @@ impl<T: Real> Material<T> {
     /// A diffuse body with a pattern: k_d = 1, no ambient light.
     pub const fn patterned(color: Pattern<T>) -> Self {
         let body = Body { color, emission: T::ZERO, ambient: T::ZERO, diffuse: T::ONE };
-        Self { body: Some(body), highlight: None, interface: Interface::Opaque }
+        Self { body: Some(body), ..Self::bare(Interface::Opaque) }
     }
 
     /// A mirror of constant k_r without a body.
     pub const fn mirror(reflected: Rgb<T>) -> Self {
-        Self { body: None, highlight: None, interface: Interface::Mirror { reflected } }
+        Self::bare(Interface::Mirror { reflected })
     }
 
     /// A metal of reflectance R₀ at normal incidence.
     pub const fn metal(r0: Rgb<T>) -> Self {
-        Self { body: None, highlight: None, interface: Interface::Metal { r0 } }
+        Self::bare(Interface::Metal { r0 })
+    }
+
+    /// A metal of complex index of refraction η + ik.
+    pub const fn conductor(index: Rgb<T>, extinction: Rgb<T>) -> Self {
+        Self::bare(Interface::Conductor { index, extinction, film: None })
     }
 
     /// Clear glass, water and the like, of the given index of refraction.
     pub const fn dielectric(index: T) -> Self {
-        Self { body: None, highlight: None, interface: Interface::Dielectric { index } }
+        Self::transparent(Medium::new(index))
+    }
+
+    /// A dielectric surface with a medium inside.
+    pub const fn transparent(medium: Medium<T>) -> Self {
+        Self::bare(Interface::Dielectric { medium, film: None })
+    }
+
+    /// An interface alone.
+    const fn bare(interface: Interface<T>) -> Self {
+        Self { body: None, highlight: None, interface, balance: None }
     }
 
     /// The same material with other shares of emission, ambient and diffuse light, if it has a body.
@@ -146,6 +145,31 @@ impl<T: Real> Material<T> {
         Self { interface, ..self }
     }
 
+    /// The same material under a clear coat of the given index of refraction.
+    #[must_use]
+    pub const fn with_coat(self, index: T) -> Self {
+        self.with_interface(Interface::Coat { index })
+    }
+
+    /// The same dielectric or conductor with a thin film on it. Other materials stay as they are.
+    #[must_use]
+    pub const fn with_film(self, film: Film<T>) -> Self {
+        let film = Some(film);
+        match self.interface {
+            Interface::Conductor { index, extinction, .. } => {
+                self.with_interface(Interface::Conductor { index, extinction, film })
+            }
+            Interface::Dielectric { medium, .. } => self.with_interface(Interface::Dielectric { medium, film }),
+            _ => self,
+        }
+    }
+
+    /// The same material with its own light set against its branches: see [`Balance`].
+    #[must_use]
+    pub const fn with_balance(self, ratio: T, brightness: T) -> Self {
+        Self { balance: Some(Balance { ratio, brightness }), ..self }
+    }
+
     /// The same material in another number type.
     pub(crate) fn map<U: Real>(&self, f: impl Fn(T) -> U) -> Material<U> {
         Material {
@@ -163,17 +187,8 @@ impl<T: Real> Material<T> {
                     Exponent::Real(s) => Exponent::Real(f(s)),
                 },
             }),
-            interface: match self.interface {
-                Interface::Opaque => Interface::Opaque,
-                Interface::Mirror { reflected } => Interface::Mirror { reflected: reflected.map(&f) },
-                Interface::Metal { r0 } => Interface::Metal { r0: r0.map(&f) },
-                Interface::Constant { reflected, transmitted, index } => Interface::Constant {
-                    reflected: reflected.map(&f),
-                    transmitted: transmitted.map(&f),
-                    index: f(index),
-                },
-                Interface::Dielectric { index } => Interface::Dielectric { index: f(index) },
-            },
+            interface: self.interface.map(&f),
+            balance: self.balance.map(|balance| Balance { ratio: f(balance.ratio), brightness: f(balance.brightness) }),
         }
     }
 }

@@ -4,8 +4,11 @@ mod background;
 mod buffer;
 mod camera;
 mod effects;
+mod film;
+mod interface;
 mod light;
 mod material;
+mod medium;
 #[cfg(feature = "nff")]
 pub mod nff;
 mod object;
@@ -13,14 +16,18 @@ mod packed_spheres;
 mod pattern;
 pub mod scenes;
 mod shape;
+mod structure;
 mod validate;
 
 pub use background::Background;
 pub use buffer::{Full, SceneBuf, SceneStore};
 pub use camera::{Aperture, Camera, Extent, Lens};
 pub use effects::Effects;
+pub use film::{Film, Spectrum, Thickness};
+pub use interface::{Fresnel, Interface};
 pub use light::{Emitter, Falloff, Light};
-pub use material::{Body, Exponent, Highlight, Interface, Lobe, Material};
+pub use material::{Balance, Body, Exponent, Highlight, Lobe, Material};
+pub use medium::{Channel, Index, Medium};
 pub use object::{Object, Shadow, Sides};
 pub(crate) use packed_spheres::{Cluster, LANES};
 pub use packed_spheres::{PackedSpheres, SphereList};
@@ -37,9 +44,10 @@ pub struct Scene<'a, T> {
     pub camera: Camera<T>,
     /// What rays see that meet nothing.
     pub background: Background<T>,
-    /// Index of refraction of the medium that fills the space between the objects: 1 for a vacuum, and near enough
-    /// for air.
-    pub index: T,
+    /// What fills the space between the objects.
+    pub medium: Medium<T>,
+    /// How the reflectance of dielectrics and coats is computed.
+    pub fresnel: Fresnel,
     /// The objects. Where two are equally near to a ray's origin, the first one is seen.
     pub objects: &'a [Object<'a, T>],
     /// The lights.
@@ -63,9 +71,17 @@ pub enum Tone<T> {
 }
 
 impl<'a, T: Real> Scene<'a, T> {
-    /// An empty scene in a vacuum, with linear pixels.
+    /// An empty scene in a vacuum, with exact Fresnel reflectance and linear pixels.
     pub const fn new(camera: Camera<T>, background: Background<T>) -> Self {
-        Self { camera, background, index: T::ONE, objects: &[], lights: &[], tone: Tone::Linear }
+        Self {
+            camera,
+            background,
+            medium: Medium::VACUUM,
+            fresnel: Fresnel::Exact,
+            objects: &[],
+            lights: &[],
+            tone: Tone::Linear,
+        }
     }
 
     /// The same scene with these objects.
@@ -78,6 +94,18 @@ impl<'a, T: Real> Scene<'a, T> {
     #[must_use]
     pub const fn with_lights(self, lights: &'a [Light<T>]) -> Self {
         Self { lights, ..self }
+    }
+
+    /// The same scene in another medium.
+    #[must_use]
+    pub const fn with_medium(self, medium: Medium<T>) -> Self {
+        Self { medium, ..self }
+    }
+
+    /// The same scene with the reflectance of dielectrics computed in another way.
+    #[must_use]
+    pub const fn with_fresnel(self, fresnel: Fresnel) -> Self {
+        Self { fresnel, ..self }
     }
 }
 

@@ -30,8 +30,10 @@ pub enum Sides {
 pub enum Shadow {
     /// It does, glass too: shadow rays are not bent.
     Full,
-    /// It does not.
+    /// It does not: light from a light passes as if nothing were there.
     None,
+    /// Light from a light goes straight through a dielectric, not bent, and its medium attenuates it.
+    Tinted,
 }
 
 impl<'a, T: Real> Object<'a, T> {
@@ -44,6 +46,12 @@ impl<'a, T: Real> Object<'a, T> {
     #[must_use]
     pub const fn without_shadow(self) -> Self {
         Self { shadow: Shadow::None, ..self }
+    }
+
+    /// The same object, casting a shadow in the colour of its medium.
+    #[must_use]
+    pub const fn with_tinted_shadow(self) -> Self {
+        Self { shadow: Shadow::Tinted, ..self }
     }
 
     /// The same object, seen from outside only.

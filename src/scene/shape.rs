@@ -146,6 +146,11 @@ impl<T: Copy> Shape<'_, T> {
 }
 
 impl<T: Real> Shape<'_, T> {
+    /// Whether it is one triangle.
+    pub(crate) fn is_triangle(&self) -> bool {
+        matches!(self, Self::Triangle(_) | Self::SmoothTriangle(_))
+    }
+
     /// Part `index` as a shape of its own, in another number type: the only part of most shapes, or one primitive of
     /// a slice. `None` past the end.
     pub(crate) fn part<U: Real>(&self, index: usize, convert: impl Fn(T) -> U) -> Option<Shape<'static, U>> {

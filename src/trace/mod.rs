@@ -2,10 +2,14 @@
 
 mod background;
 mod budget;
+mod film;
 mod illumination;
+mod media;
+mod meeting;
 mod observer;
 mod sequence;
 mod shade;
+mod shadow;
 mod split;
 mod tracer;
 mod tree;
@@ -16,4 +20,5 @@ pub use observer::{Cut, Dropped, Observer, RayKind, Stats};
 pub use sequence::Sequence;
 pub(crate) use shade::Samples;
 pub use tracer::{Tracer, TracerError};
+use tree::Branch;
 pub(crate) use tree::{Context, RayTree};

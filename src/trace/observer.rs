@@ -11,6 +11,8 @@ pub enum RayKind {
     Reflected,
     /// A transmitted branch.
     Transmitted,
+    /// A branch that goes straight on through a surface, inside a medium of higher priority.
+    Passed,
     /// From a surface to a light.
     Shadow,
 }
@@ -39,6 +41,10 @@ pub trait Observer {
     #[inline]
     fn total_internal_reflection(&mut self) {}
 
+    /// A branch of light is inside of more media than it can remember; the one of the lowest priority is forgotten.
+    #[inline]
+    fn media_overflow(&mut self) {}
+
     /// A branch was cut, and with it `throughput` of the light of the current sample.
     #[inline]
     fn cut(&mut self, reason: Cut, throughput: Rgb<f32>) {
@@ -64,6 +70,10 @@ impl<O: Observer> Observer for &mut O {
         (**self).total_internal_reflection();
     }
     #[inline]
+    fn media_overflow(&mut self) {
+        (**self).media_overflow();
+    }
+    #[inline]
     fn cut(&mut self, reason: Cut, throughput: Rgb<f32>) {
         (**self).cut(reason, throughput);
     }
@@ -83,6 +93,11 @@ impl<A: Observer, B: Observer> Observer for (A, B) {
     fn total_internal_reflection(&mut self) {
         self.0.total_internal_reflection();
         self.1.total_internal_reflection();
+    }
+    #[inline]
+    fn media_overflow(&mut self) {
+        self.0.media_overflow();
+        self.1.media_overflow();
     }
     #[inline]
     fn cut(&mut self, reason: Cut, throughput: Rgb<f32>) {
@@ -105,10 +120,14 @@ pub struct Stats {
     pub reflected: u64,
     /// Transmitted branches.
     pub transmitted: u64,
+    /// Branches that went straight through a surface.
+    pub passed: u64,
     /// Rays to lights.
     pub shadow: u64,
     /// Total internal reflections.
     pub total_internal: u64,
+    /// Times that a branch was inside of more media than it could remember.
+    pub media_overflows: u64,
     /// Branches cut by the depth.
     pub cut_by_depth: u64,
     /// Branches cut by the cutoff.
@@ -121,7 +140,7 @@ impl Stats {
     /// All rays.
     #[must_use]
     pub const fn rays(&self) -> u64 {
-        self.eye + self.reflected + self.transmitted + self.shadow
+        self.eye + self.reflected + self.transmitted + self.passed + self.shadow
     }
 
     /// The counts of two parts of a picture, together.
@@ -131,8 +150,10 @@ impl Stats {
             eye: self.eye + other.eye,
             reflected: self.reflected + other.reflected,
             transmitted: self.transmitted + other.transmitted,
+            passed: self.passed + other.passed,
             shadow: self.shadow + other.shadow,
             total_internal: self.total_internal + other.total_internal,
+            media_overflows: self.media_overflows + other.media_overflows,
             cut_by_depth: self.cut_by_depth + other.cut_by_depth,
             cut_by_cutoff: self.cut_by_cutoff + other.cut_by_cutoff,
             cut_by_budget: self.cut_by_budget + other.cut_by_budget,
@@ -143,16 +164,22 @@ impl Stats {
 impl Observer for Stats {
     #[inline]
     fn ray(&mut self, kind: RayKind) {
-        // Four additions cost less than a jump that cannot be foreseen.
+        // Five additions cost less than a jump that cannot be foreseen.
         self.eye += u64::from(kind == RayKind::Eye);
         self.reflected += u64::from(kind == RayKind::Reflected);
         self.transmitted += u64::from(kind == RayKind::Transmitted);
+        self.passed += u64::from(kind == RayKind::Passed);
         self.shadow += u64::from(kind == RayKind::Shadow);
     }
 
     #[inline]
     fn total_internal_reflection(&mut self) {
         self.total_internal += 1;
+    }
+
+    #[inline]
+    fn media_overflow(&mut self) {
+        self.media_overflows += 1;
     }
 
     #[inline]

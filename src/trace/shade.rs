@@ -1,16 +1,17 @@
 //! The light that a surface point sends towards the eye by itself: Blinn-Phong over the visible lights.
 
 use super::illumination::illuminate;
-use super::{Observer, RayKind, Sequence};
+use super::media::Media;
+use super::shadow::light_share;
+use super::{Branch, Observer, RayKind, Sequence};
 use crate::intersect::Surface;
 use crate::math::{Real, Rgb, Vec3};
 use crate::optics::reflect;
-use crate::path::is_lit;
-use crate::scene::{Effects, Exponent, Highlight, Lobe, Material, Pattern, Scene};
+use crate::scene::{Body, Effects, Exponent, Highlight, Lobe, Material, Pattern, Scene};
 
 /// A surface point whose lights are being looked at. It can be left between two shadow rays and taken up again.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Shading<'a, T> {
+pub(crate) struct Shading<'a, T, const MEDIA: usize> {
     material: &'a Material<T>,
     /// Where shadow rays start, on the viewer's side.
     origin: Vec3<T>,
@@ -22,22 +23,24 @@ pub(crate) struct Shading<'a, T> {
     /// Colour of the body at the point.
     color: Rgb<T>,
     throughput: Rgb<T>,
+    /// What the viewer's side of the point lies in.
+    media: Media<MEDIA>,
     /// Depth of the branch.
     depth: u8,
     /// The light that is next.
     light: usize,
 }
 
-impl<'a, T: Real> Shading<'a, T> {
-    /// `front` tells whether `surface` was met from outside. `None` when the material has nothing to be lit.
+impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
+    /// `front` tells whether `branch` met the surface from outside, `body` what share of the light gets through to the
+    /// body. `None` when the material has nothing to be lit.
     #[inline(always)]
-    pub(crate) fn new<const EFFECTS: u64>(
+    pub(super) fn new<const EFFECTS: u64>(
         material: &'a Material<T>,
         surface: &Surface<T>,
         front: bool,
-        incident: Vec3<T>,
-        throughput: Rgb<T>,
-        depth: u8,
+        branch: &Branch<T, MEDIA>,
+        body: T,
     ) -> Option<Self> {
         let effects = const { Effects::from_bits(EFFECTS) };
         let lit = (effects.has(Effects::BODY) && material.body.is_some())
@@ -46,10 +49,20 @@ impl<'a, T: Real> Shading<'a, T> {
             return None;
         }
         let color = match &material.body {
-            Some(body) if effects.has(Effects::BODY) => color_at::<T, EFFECTS>(&body.color, surface.point),
+            Some(Body { color, .. }) if effects.has(Effects::BODY) => {
+                let color = color_at::<T, EFFECTS>(color, surface.point);
+                if effects.has(Effects::COAT) { color * body } else { color }
+            }
             _ => Rgb::BLACK,
         };
+        let throughput = match &material.balance {
+            Some(balance) if effects.has(Effects::BALANCE) => {
+                branch.throughput * (balance.brightness * (T::ONE - balance.ratio))
+            }
+            _ => branch.throughput,
+        };
         let (geometric, normal) = surface.normals(front);
+        let incident = branch.ray.direction;
         Some(Self {
             material,
             origin: surface.leave(incident, front).origin,
@@ -58,7 +71,8 @@ impl<'a, T: Real> Shading<'a, T> {
             incident,
             color,
             throughput,
-            depth,
+            media: branch.media,
+            depth: branch.depth,
             light: 0,
         })
     }
@@ -96,8 +110,9 @@ impl<'a, T: Real> Shading<'a, T> {
                     }
                     *rays -= 1;
                     observer.ray(RayKind::Shadow);
-                    if is_lit::<T, EFFECTS>(scene, &arriving.ray, arriving.distance) {
-                        *gathered += self.throughput * sent;
+                    let share = light_share::<T, EFFECTS, MEDIA>(scene, &self.media, &arriving, rays);
+                    if let Some(share) = share {
+                        *gathered += self.throughput * sent * share;
                     }
                 }
             }

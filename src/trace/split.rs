@@ -1,68 +1,92 @@
 //! What an interface does to a ray: where the two branches go and what they weigh.
 
+use super::film::{film_on_conductor, film_on_dielectric};
 use crate::intersect::Surface;
 use crate::math::{Real, Rgb, Vec3};
-use crate::optics::{reflect, refract, schlick, schlick_dielectric, transmitted_cosine_squared};
-use crate::scene::{Effects, Interface};
+use crate::optics::{
+    fresnel_conductor, fresnel_dielectric, reflect, refract, schlick, schlick_dielectric, transmitted_cosine,
+};
+use crate::scene::{Effects, Fresnel, Interface};
 
 /// The two branches at an interface, each a unit direction and a weight.
 pub(super) struct Split<T> {
     pub reflected: Option<(Vec3<T>, Rgb<T>)>,
     pub transmitted: Option<(Vec3<T>, Rgb<T>)>,
+    /// The share of the light that gets through to the body.
+    pub body: T,
     /// Whether all light is reflected although some could have been transmitted.
     pub is_total: bool,
+}
+
+/// A surface seen from the side of the incident ray.
+pub(super) struct Facing<T> {
+    geometric: Vec3<T>,
+    normal: Vec3<T>,
+    incident: Vec3<T>,
+    point: Vec3<T>,
 }
 
 /// Weight of the reflected branch; weight of the transmitted branch and the cosine of its angle.
 type Weights<T> = (Rgb<T>, Option<(Rgb<T>, T)>);
 
-impl<T: Real> Split<T> {
-    pub(super) fn new<const EFFECTS: u64>(
+impl<T: Real> Facing<T> {
+    pub(super) fn new(surface: &Surface<T>, front: bool, incident: Vec3<T>) -> Self {
+        let (geometric, normal) = surface.normals(front);
+        Self { geometric, normal, incident, point: surface.point }
+    }
+
+    /// What an interface between media of these indices does. `n2` is not looked at where nothing is transmitted.
+    pub(super) fn split<const EFFECTS: u64>(
+        &self,
         interface: &Interface<T>,
-        outer_index: T,
-        surface: &Surface<T>,
-        front: bool,
-        incident: Vec3<T>,
-    ) -> Self {
+        fresnel: Fresnel,
+        n1: T,
+        n2: T,
+    ) -> Split<T> {
         let effects = const { Effects::from_bits(EFFECTS) };
-        let facing = Facing::new(surface, front, incident);
         match *interface {
-            Interface::Mirror { reflected } if effects.has(Effects::MIRROR) => facing.mirror(|_| reflected),
+            Interface::Mirror { reflected } if effects.has(Effects::MIRROR) => self.mirror(|_| reflected),
             Interface::Metal { r0 } if effects.has(Effects::METAL) => {
-                facing.mirror(|cosine| r0.map(|r0| schlick(r0, cosine)))
+                self.mirror(|cosine| r0.map(|r0| schlick(r0, cosine)))
             }
-            Interface::Constant { reflected, transmitted, index } if effects.has(Effects::CONSTANT) => {
-                facing.split(outer_index, index, |n1, n2, cosine| {
-                    let square = transmitted_cosine_squared(n1 / n2, cosine);
-                    if square < T::ZERO {
-                        return (reflected + transmitted, None);
-                    }
-                    (reflected, Some((transmitted, square.sqrt())))
+            Interface::Conductor { index, extinction, film: Some(film) } if effects.has(Effects::CONDUCTOR_FILM) => {
+                self.mirror(|cosine| film_on_conductor::<T, EFFECTS>(&film, self.point, n1, index, extinction, cosine))
+            }
+            Interface::Conductor { index, extinction, .. } if effects.has(Effects::CONDUCTOR) => {
+                let r = |index: T, extinction: T, cosine| fresnel_conductor(index / n1, extinction / n1, cosine).mean();
+                self.mirror(|cosine| {
+                    let channel = |index, extinction| r(index, extinction, cosine);
+                    Rgb::new(
+                        channel(index.r, extinction.r),
+                        channel(index.g, extinction.g),
+                        channel(index.b, extinction.b),
+                    )
                 })
             }
-            Interface::Dielectric { index } if effects.has(Effects::DIELECTRIC) => {
-                facing.split(outer_index, index, |n1, n2, cosine| match schlick_dielectric(n1, n2, cosine) {
+            Interface::Coat { index } if effects.has(Effects::COAT) => self.coat::<EFFECTS>(fresnel, n1, index),
+            Interface::Constant { reflected, transmitted, .. } if effects.has(Effects::CONSTANT) => {
+                self.both(n1, n2, |cosine| match transmitted_cosine(n1, n2, cosine) {
+                    Some(transmitted_cosine) => (reflected, Some((transmitted, transmitted_cosine))),
+                    None => (reflected + transmitted, None),
+                })
+            }
+            Interface::Dielectric { film: Some(film), .. } if effects.has(Effects::DIELECTRIC_FILM) => {
+                self.both(n1, n2, |cosine| match transmitted_cosine(n1, n2, cosine) {
+                    Some(transmitted_cosine) => {
+                        let r = film_on_dielectric::<T, EFFECTS>(&film, self.point, n1, n2, cosine);
+                        (r, Some((r.map(|r| T::ONE - r), transmitted_cosine)))
+                    }
+                    None => (Rgb::WHITE, None),
+                })
+            }
+            Interface::Dielectric { .. } if effects.has(Effects::DIELECTRIC) => {
+                self.both(n1, n2, |cosine| match reflectance::<T, EFFECTS>(fresnel, n1, n2, cosine) {
                     Some((r, transmitted_cosine)) => (Rgb::grey(r), Some((Rgb::grey(T::ONE - r), transmitted_cosine))),
                     None => (Rgb::WHITE, None),
                 })
             }
-            _ => Self { reflected: None, transmitted: None, is_total: false },
+            _ => Split { reflected: None, transmitted: None, body: T::ONE, is_total: false },
         }
-    }
-}
-
-/// A surface seen from the side of the incident ray.
-struct Facing<T> {
-    geometric: Vec3<T>,
-    normal: Vec3<T>,
-    incident: Vec3<T>,
-    front: bool,
-}
-
-impl<T: Real> Facing<T> {
-    fn new(surface: &Surface<T>, front: bool, incident: Vec3<T>) -> Self {
-        let (geometric, normal) = surface.normals(front);
-        Self { geometric, normal, incident, front }
     }
 
     /// The cosine of the angle of incidence; 0 for a shading normal that faces away from the ray.
@@ -81,20 +105,27 @@ impl<T: Real> Facing<T> {
 
     fn mirror(&self, weight: impl FnOnce(T) -> Rgb<T>) -> Split<T> {
         let weight = weight(self.cosine(self.normal));
-        Split { reflected: Some((self.reflected(), weight)), transmitted: None, is_total: false }
+        Split { reflected: Some((self.reflected(), weight)), transmitted: None, body: T::ONE, is_total: false }
     }
 
-    /// Two branches by weights(n₁, n₂, cosine) = (reflected, transmitted with its cosine unless reflection is total).
-    fn split(&self, outer_index: T, inner_index: T, weights: impl Fn(T, T, T) -> Weights<T>) -> Split<T> {
-        let (n1, n2) = if self.front { (outer_index, inner_index) } else { (inner_index, outer_index) };
+    fn coat<const EFFECTS: u64>(&self, fresnel: Fresnel, n1: T, coat: T) -> Split<T> {
+        let r = match reflectance::<T, EFFECTS>(fresnel, n1, coat, self.cosine(self.normal)) {
+            Some((r, _)) => r,
+            None => T::ONE,
+        };
+        Split { body: T::ONE - r, ..self.mirror(|_| Rgb::grey(r)) }
+    }
+
+    /// Two branches by weights(cosine) = (reflected, transmitted with its cosine unless reflection is total).
+    fn both(&self, n1: T, n2: T, weights: impl Fn(T) -> Weights<T>) -> Split<T> {
         let at = |normal: Vec3<T>| {
             let cosine = self.cosine(normal);
-            let (reflected, transmitted) = weights(n1, n2, cosine);
+            let (reflected, transmitted) = weights(cosine);
             let transmitted = transmitted.map(|(weight, transmitted_cosine)| {
                 (refract(self.incident, normal, n1 / n2, cosine, transmitted_cosine).normalized(), weight)
             });
             let is_total = transmitted.is_none();
-            Split { reflected: Some((self.reflected(), reflected)), transmitted, is_total }
+            Split { reflected: Some((self.reflected(), reflected)), transmitted, body: T::ONE, is_total }
         };
         if self.normal.dot(self.incident) >= T::ZERO {
             return at(self.geometric);
@@ -106,4 +137,15 @@ impl<T: Real> Facing<T> {
             _ => split,
         }
     }
+}
+
+/// The reflectance between two dielectrics and the cosine behind; `None` on total internal reflection.
+fn reflectance<T: Real, const EFFECTS: u64>(fresnel: Fresnel, n1: T, n2: T, cosine: T) -> Option<(T, T)> {
+    let effects = const { Effects::from_bits(EFFECTS) };
+    let exact = !effects.has(Effects::SCHLICK) || (fresnel == Fresnel::Exact && effects.has(Effects::FRESNEL));
+    if exact {
+        let (polarized, transmitted_cosine) = fresnel_dielectric(n1, n2, cosine)?;
+        return Some((polarized.mean(), transmitted_cosine));
+    }
+    schlick_dielectric(n1, n2, cosine)
 }

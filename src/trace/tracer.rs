@@ -7,7 +7,9 @@ use crate::intersect::Ray;
 use crate::math::{Real, Rgb};
 use crate::scene::{Effects, Scene, SceneError};
 
-/// A scene, to be traced by code for the effects `EFFECTS` ([`Effects::bits`]) to at most `DEPTH` bounces.
+/// A scene, to be traced by code for the effects `EFFECTS` ([`Effects::bits`]), with a stack for `DEPTH` branches
+/// ([`Scene::stack`]: as many as bounces, two more in a scene with dispersion) that each remember `MEDIA` media
+/// ([`Scene::media`]: 0 where transparent objects are clear and stand alone).
 ///
 /// Code for other effects is not compiled, so a scene that needs more is refused: by the compiler for a constant scene
 /// ([`tracer!`](crate::tracer!), [`Tracer::new`]), by an error for one that is known only at run time
@@ -37,7 +39,7 @@ use crate::scene::{Effects, Scene, SceneError};
 /// static TRACER: Tracer<f32, 0, 5> = Tracer::new(&SCENE);
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Tracer<'a, T, const EFFECTS: u64, const DEPTH: usize> {
+pub struct Tracer<'a, T, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize = 0> {
     scene: &'a Scene<'a, T>,
 }
 
@@ -54,7 +56,11 @@ macro_rules! tracer {
         $crate::tracer!($scene, 5)
     };
     ($scene:path, $depth:expr) => {
-        const { $crate::Tracer::<f32, { $scene.effects().bits() }, { $depth }>::new(&$scene) }
+        const {
+            $crate::Tracer::<f32, { $scene.effects().bits() }, { $scene.stack($depth) }, { $scene.media() }>::new(
+                &$scene,
+            )
+        }
     };
 }
 
@@ -63,6 +69,8 @@ macro_rules! tracer {
 pub enum TracerError {
     /// The scene calls for these effects, which the tracer was compiled without.
     MissingEffects(Effects),
+    /// The scene has media that have to be remembered ([`Scene::media`]), and `MEDIA` is 0.
+    NoMedia,
     /// The scene has a number out of its range.
     Scene(SceneError),
 }
@@ -71,6 +79,7 @@ impl fmt::Display for TracerError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::MissingEffects(effects) => write!(f, "the tracer was compiled without: {effects}"),
+            Self::NoMedia => f.write_str("the scene has media that attenuate or overlap: expected MEDIA above 0"),
             Self::Scene(error) => error.fmt(f),
         }
     }
@@ -78,7 +87,7 @@ impl fmt::Display for TracerError {
 
 impl core::error::Error for TracerError {}
 
-impl<'a, const EFFECTS: u64, const DEPTH: usize> Tracer<'a, f32, EFFECTS, DEPTH> {
+impl<'a, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tracer<'a, f32, EFFECTS, DEPTH, MEDIA> {
     /// The tracer of a constant scene, for use in constant evaluation.
     ///
     /// # Panics
@@ -88,6 +97,7 @@ impl<'a, const EFFECTS: u64, const DEPTH: usize> Tracer<'a, f32, EFFECTS, DEPTH>
     #[allow(clippy::panic)] // The only way to stop a constant's evaluation.
     pub const fn new(scene: &'a Scene<'a, f32>) -> Self {
         assert!(Self::missing(scene).is_empty(), "the scene calls for effects that are not in EFFECTS");
+        assert!(Self::remembers(scene), "the scene has media that attenuate or overlap: MEDIA must be above 0");
         if let Err(error) = scene.check() {
             panic!("{}", error.expected);
         }
@@ -95,15 +105,19 @@ impl<'a, const EFFECTS: u64, const DEPTH: usize> Tracer<'a, f32, EFFECTS, DEPTH>
     }
 }
 
-impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize> Tracer<'a, T, EFFECTS, DEPTH> {
+impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tracer<'a, T, EFFECTS, DEPTH, MEDIA> {
     /// The tracer of a scene that is known only at run time.
     ///
     /// # Errors
-    /// Names the effects that the scene calls for and `EFFECTS` lacks, or the field of the scene that is out of range.
+    /// Names the effects that the scene calls for and `EFFECTS` lacks, or the field of the scene that is out of range;
+    /// [`TracerError::NoMedia`] where `MEDIA` must be above 0.
     pub fn try_new(scene: &'a Scene<'a, T>) -> Result<Self, TracerError> {
         let missing = Self::missing(scene);
         if !missing.is_empty() {
             return Err(TracerError::MissingEffects(missing));
+        }
+        if !Self::remembers(scene) {
+            return Err(TracerError::NoMedia);
         }
         scene.validate().map_err(TracerError::Scene)?;
         Ok(Self { scene })
@@ -111,6 +125,16 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize> Tracer<'a, T, EFFECTS,
 
     const fn missing(scene: &Scene<'_, T>) -> Effects {
         scene.effects().without(Effects::from_bits(EFFECTS))
+    }
+
+    const fn remembers(scene: &Scene<'_, T>) -> bool {
+        MEDIA > 0 || scene.media() == 0
+    }
+
+    /// The largest number of bounces that the stack has room for.
+    #[must_use]
+    pub const fn depth(&self) -> usize {
+        DEPTH.saturating_sub(self.scene.stack(0))
     }
 
     /// The scene.
@@ -125,7 +149,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize> Tracer<'a, T, EFFECTS,
     pub fn trace(&self, ray: Ray<T>, budget: &Budget<T>, observer: &mut impl Observer) -> Rgb<T> {
         let samples = Samples { sequence: Sequence::new(0, 0), index: 0 };
         let context = Context { scene: self.scene, budget, samples };
-        let mut tree = RayTree::<T, DEPTH>::new();
+        let mut tree = RayTree::<T, DEPTH, MEDIA>::new();
         let mut start = Some((ray, budget.rays_per_pixel));
         loop {
             let mut rays = u32::MAX;

@@ -7,35 +7,40 @@
 use heapless::{Vec, VecView};
 
 use super::background::background;
+use super::media::Media;
+use super::meeting::Meeting;
 use super::shade::{Samples, Shading};
-use super::split::Split;
 use super::{Budget, Cut, Observer, RayKind, Termination};
 use crate::intersect::Ray;
 use crate::math::{Real, Rgb};
 use crate::path::next_surface;
-use crate::scene::Scene;
+use crate::scene::{Channel, Effects, Scene};
 
 /// A ray that is still to be followed.
 #[derive(Clone, Copy, Debug)]
-struct Branch<T> {
-    ray: Ray<T>,
-    throughput: Rgb<T>,
-    depth: u8,
-    kind: RayKind,
+pub(super) struct Branch<T, const MEDIA: usize> {
+    pub ray: Ray<T>,
+    pub throughput: Rgb<T>,
+    /// What the ray's origin lies in.
+    pub media: Media<MEDIA>,
+    pub depth: u8,
+    pub kind: RayKind,
+    /// The only channel that is left, after dispersion.
+    pub channel: Option<Channel>,
 }
 
 /// The state of one sample's ray tree: everything that a frame needs to stop at any ray and go on later.
 #[derive(Clone, Debug)]
-pub(crate) struct RayTree<'a, T, const DEPTH: usize> {
-    walk: Walk<'a, T>,
-    pending: Vec<Branch<T>, DEPTH>,
+pub(crate) struct RayTree<'a, T, const DEPTH: usize, const MEDIA: usize> {
+    walk: Walk<'a, T, MEDIA>,
+    pending: Vec<Branch<T, MEDIA>, DEPTH>,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Walk<'a, T> {
+struct Walk<'a, T, const MEDIA: usize> {
     gathered: Rgb<T>,
-    current: Option<Branch<T>>,
-    shading: Option<Shading<'a, T>>,
+    current: Option<Branch<T, MEDIA>>,
+    shading: Option<Shading<'a, T, MEDIA>>,
     /// What is left of the budget's rays.
     rays_left: u32,
 }
@@ -47,7 +52,7 @@ pub(crate) struct Context<'c, 'a, T> {
     pub samples: Samples,
 }
 
-impl<'a, T: Real, const DEPTH: usize> RayTree<'a, T, DEPTH> {
+impl<'a, T: Real, const DEPTH: usize, const MEDIA: usize> RayTree<'a, T, DEPTH, MEDIA> {
     /// A tree with nothing in it.
     pub(crate) const fn new() -> Self {
         let walk = Walk { gathered: Rgb::BLACK, current: None, shading: None, rays_left: 0 };
@@ -70,7 +75,7 @@ impl<'a, T: Real, const DEPTH: usize> RayTree<'a, T, DEPTH> {
         let mut walk = match start {
             Some((ray, rays)) => {
                 self.pending.clear();
-                Walk::start(ray, rays)
+                Walk::start::<EFFECTS, O>(ray, rays, context.scene, observer)
             }
             None => self.walk,
         };
@@ -82,10 +87,14 @@ impl<'a, T: Real, const DEPTH: usize> RayTree<'a, T, DEPTH> {
     }
 }
 
-impl<'a, T: Real> Walk<'a, T> {
+impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
     #[inline(always)]
-    fn start(ray: Ray<T>, rays: u32) -> Self {
-        let eye = Branch { ray, throughput: Rgb::WHITE, depth: 0, kind: RayKind::Eye };
+    fn start<const EFFECTS: u64, O: Observer>(ray: Ray<T>, rays: u32, scene: &Scene<'_, T>, observer: &mut O) -> Self {
+        let (media, overflow) = Media::around::<T, EFFECTS>(scene, &ray);
+        if overflow {
+            observer.media_overflow();
+        }
+        let eye = Branch { ray, throughput: Rgb::WHITE, media, depth: 0, kind: RayKind::Eye, channel: None };
         Self { gathered: Rgb::BLACK, current: Some(eye), shading: None, rays_left: rays }
     }
 
@@ -93,7 +102,7 @@ impl<'a, T: Real> Walk<'a, T> {
     #[inline(always)]
     fn advance<const EFFECTS: u64, O: Observer>(
         &mut self,
-        pending: &mut VecView<Branch<T>>,
+        pending: &mut VecView<Branch<T, MEDIA>>,
         context: &Context<'_, 'a, T>,
         rays: &mut u32,
         observer: &mut O,
@@ -141,38 +150,80 @@ impl<'a, T: Real> Walk<'a, T> {
     #[inline(always)]
     fn follow<const EFFECTS: u64, O: Observer>(
         &mut self,
-        branch: &Branch<T>,
-        pending: &mut VecView<Branch<T>>,
+        branch: &Branch<T, MEDIA>,
+        pending: &mut VecView<Branch<T, MEDIA>>,
         context: &Context<'_, 'a, T>,
         observer: &mut O,
     ) {
         let scene = context.scene;
-        let Some(hit) = next_surface::<T, EFFECTS>(scene, &branch.ray) else {
+        let hit = next_surface::<T, EFFECTS>(scene, &branch.ray);
+        let mut branch = *branch;
+        if Effects::from_bits(EFFECTS).has(Effects::ATTENUATION) {
+            let distance = hit.as_ref().map_or(T::MAX, |hit| hit.contact.t);
+            branch.throughput = branch.throughput * branch.media.transmittance(scene, distance);
+        }
+        let Some(hit) = hit else {
             self.gathered += branch.throughput * background::<T, EFFECTS>(scene, branch.ray.direction);
             return;
         };
-        let surface = hit.surface::<EFFECTS>(&branch.ray);
-        let (front, incident) = (hit.contact.front(), branch.ray.direction);
         let material = &hit.object.material;
-        self.shading = Shading::new::<EFFECTS>(material, &surface, front, incident, branch.throughput, branch.depth);
+        let border = branch.media.border(scene, &hit);
+        if border.overflow {
+            observer.media_overflow();
+        }
+        let surface = hit.surface::<EFFECTS>(&branch.ray);
+        let front = hit.contact.front();
+        if !border.is_real {
+            let ray = surface.leave(branch.ray.direction, !front);
+            self.current = Some(Branch { ray, media: border.media, kind: RayKind::Passed, ..branch });
+            return;
+        }
+        let (border, surface, fresnel) = (&border, &surface, scene.fresnel);
+        let meeting = Meeting { branch: &branch, material, surface, front, border, fresnel };
+        let body = if branch.channel.is_none() && border.is_dispersive::<EFFECTS>() {
+            self.disperse::<EFFECTS, O>(&meeting, pending, context, observer);
+            T::ONE
+        } else {
+            let split = meeting.split::<EFFECTS>(branch.channel);
+            if split.is_total {
+                observer.total_internal_reflection();
+            }
+            let reflected = meeting.reflected::<EFFECTS>(split.reflected);
+            let transmitted = meeting.transmitted::<EFFECTS>(split.transmitted);
+            for child in [reflected, transmitted].into_iter().flatten() {
+                self.spawn::<EFFECTS, O>(child, pending, context, observer);
+            }
+            split.body
+        };
+        self.shading = Shading::new::<EFFECTS>(material, surface, front, &branch, body);
         if let Some(shading) = &self.shading {
             self.gathered += shading.emitted::<EFFECTS>();
         }
-        let split = Split::new::<EFFECTS>(&material.interface, scene.index, &surface, front, incident);
-        if split.is_total {
+    }
+
+    /// Spawns the children at a dispersive border. The reflected branch, which can be dispersed again, is followed after
+    /// the others: so there are never more than two branches for other channels aside.
+    fn disperse<const EFFECTS: u64, O: Observer>(
+        &mut self,
+        meeting: &Meeting<'_, T, MEDIA>,
+        pending: &mut VecView<Branch<T, MEDIA>>,
+        context: &Context<'_, 'a, T>,
+        observer: &mut O,
+    ) {
+        let (children, is_total) = meeting.disperse::<EFFECTS>();
+        if is_total {
             observer.total_internal_reflection();
         }
-        let children =
-            [(split.reflected, RayKind::Reflected, front), (split.transmitted, RayKind::Transmitted, !front)];
-        for (child, kind, outside) in children {
-            let Some((direction, weight)) = child else { continue };
-            let child = Branch {
-                ray: surface.leave(direction, outside),
-                throughput: branch.throughput * weight,
-                depth: branch.depth.saturating_add(1),
-                kind,
-            };
+        for child in children.into_iter().flatten() {
+            // What was current so far waits below the new one.
+            let before = self.current.take();
             self.spawn::<EFFECTS, O>(child, pending, context, observer);
+            if let Some(before) = before {
+                match self.current {
+                    Some(_) => self.put_aside::<EFFECTS, O>(before, pending, context, observer),
+                    None => self.current = Some(before),
+                }
+            }
         }
     }
 
@@ -180,8 +231,8 @@ impl<'a, T: Real> Walk<'a, T> {
     #[inline(always)]
     fn spawn<const EFFECTS: u64, O: Observer>(
         &mut self,
-        branch: Branch<T>,
-        pending: &mut VecView<Branch<T>>,
+        branch: Branch<T, MEDIA>,
+        pending: &mut VecView<Branch<T, MEDIA>>,
         context: &Context<'_, 'a, T>,
         observer: &mut O,
     ) {
@@ -189,19 +240,28 @@ impl<'a, T: Real> Walk<'a, T> {
         if weight <= T::ZERO {
             return;
         }
-        let cut = if branch.depth > context.budget.depth {
-            Some(Cut::Depth)
+        if branch.depth > context.budget.depth {
+            self.cut::<EFFECTS, O>(context, &branch, Cut::Depth, observer);
         } else if weight < context.budget.cutoff {
-            Some(Cut::Cutoff)
+            self.cut::<EFFECTS, O>(context, &branch, Cut::Cutoff, observer);
         } else if self.current.is_none() {
             self.current = Some(branch);
-            None
         } else {
-            // There is room whenever the depth is within `DEPTH`.
-            pending.push(branch).err().map(|_| Cut::Depth)
-        };
-        if let Some(reason) = cut {
-            self.cut::<EFFECTS, O>(context, &branch, reason, observer);
+            self.put_aside::<EFFECTS, O>(branch, pending, context, observer);
+        }
+    }
+
+    /// There is room whenever the depth is within what the stack was made for.
+    #[inline(always)]
+    fn put_aside<const EFFECTS: u64, O: Observer>(
+        &mut self,
+        branch: Branch<T, MEDIA>,
+        pending: &mut VecView<Branch<T, MEDIA>>,
+        context: &Context<'_, 'a, T>,
+        observer: &mut O,
+    ) {
+        if let Err(branch) = pending.push(branch) {
+            self.cut::<EFFECTS, O>(context, &branch, Cut::Depth, observer);
         }
     }
 
@@ -209,7 +269,7 @@ impl<'a, T: Real> Walk<'a, T> {
     fn cut<const EFFECTS: u64, O: Observer>(
         &mut self,
         context: &Context<'_, 'a, T>,
-        branch: &Branch<T>,
+        branch: &Branch<T, MEDIA>,
         reason: Cut,
         observer: &mut O,
     ) {

@@ -9,7 +9,7 @@ mod robustness;
 use polygons::cyclic;
 use whit::scene::nff::{NffError, Summary, read, read_bytes};
 use whit::scene::{Body, Exponent, Extent, Highlight, Lobe, Shadow, Sides, SmoothTriangle};
-use whit::{Background, Camera, Interface, Light, Material, Object, Pattern, Rgb, SceneBuf, Shape, Tone, Vec3};
+use whit::{Background, Camera, Interface, Light, Material, Medium, Object, Pattern, Rgb, SceneBuf, Shape, Tone, Vec3};
 
 type Big = SceneBuf<f32, 640, 16>;
 
@@ -33,7 +33,7 @@ const HEAD: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresol
 fn other<const OBJECTS: usize, const LIGHTS: usize>() -> SceneBuf<f32, OBJECTS, LIGHTS> {
     let camera = Camera::look_at(Vec3::new(1.0, 2.0, 3.0), Vec3::ZERO, Vec3::new(0.0, 0.0, 1.0), 17.0);
     let mut scene = SceneBuf::new(camera, Background::Solid(Rgb::grey(0.25)));
-    scene.index = 1.25;
+    scene.medium = Medium::new(1.25);
     scene.tone = Tone::Display { gain: 3.0, lift: 0.5 };
     scene.add_object(Object::new(Shape::sphere(Vec3::ZERO, 7.0), Material::dielectric(1.5))).unwrap();
     scene.add_light(Light::point(Vec3::ZERO, Rgb::grey(7.0))).unwrap();
@@ -122,7 +122,7 @@ fn every_entity_becomes_what_the_documentation_says() {
     let camera = Camera::with_half_height(from, Vec3::ZERO, up, 1.0);
     assert_eq!(scene.camera, Camera { extent: Extent::PixelCentres, ..camera });
     assert_eq!(scene.background, Background::Solid(Rgb::new(0.1, 0.2, 0.3)));
-    assert_eq!((scene.index, scene.tone), (1.0, Tone::Linear));
+    assert_eq!((scene.medium, scene.tone), (Medium::VACUUM, Tone::Linear));
 
     let grey = Rgb::grey(1.0 / 3.0_f32.sqrt());
     let colors = [grey, Rgb::new(1.0, 0.5, 0.0), grey];
@@ -132,15 +132,22 @@ fn every_entity_becomes_what_the_documentation_says() {
     let body = |color, diffuse| Some(Body { color: Pattern::Solid(color), emission: 0.0, ambient: 0.0, diffuse });
     let highlight = |exponent| Some(Highlight { color: Rgb::grey(0.25), lobe: Lobe::Blinn, exponent });
     let [floor_1, floor_2, ball, cone, cylinder, patch] = scene.objects else { panic!("{:?}", scene.objects) };
-    let floor = Material { body: body(Rgb::new(0.8, 0.6, 0.4), 0.5), highlight: None, interface: Interface::Opaque };
+    let floor = Material {
+        body: body(Rgb::new(0.8, 0.6, 0.4), 0.5),
+        highlight: None,
+        interface: Interface::Opaque,
+        balance: None,
+    };
     for object in [floor_1, floor_2] {
         assert_eq!((object.material, object.sides, object.shadow), (floor, Sides::Outside, Shadow::Full));
     }
-    let interface = Interface::Constant { reflected: Rgb::grey(0.25), transmitted: Rgb::grey(0.75), index: 1.5 };
-    let glass = Material { body: None, highlight: highlight(Exponent::Integer(12)), interface };
+    let interface =
+        Interface::Constant { reflected: Rgb::grey(0.25), transmitted: Rgb::grey(0.75), medium: Medium::new(1.5) };
+    let glass = Material { body: None, highlight: highlight(Exponent::Integer(12)), interface, balance: None };
     assert_eq!(*ball, Object::new(Shape::sphere(Vec3::new(0.0, 0.0, 1.0), -0.5), glass));
     let interface = Interface::Mirror { reflected: Rgb::grey(0.25) };
-    let shiny = Material { body: body(Rgb::WHITE, 0.5), highlight: highlight(Exponent::Real(3.5)), interface };
+    let shiny =
+        Material { body: body(Rgb::WHITE, 0.5), highlight: highlight(Exponent::Real(3.5)), interface, balance: None };
     let top = Vec3::new(0.0, 0.0, 2.0);
     assert_eq!(*cone, Object::new(Shape::cone(Vec3::ZERO, 1.0, top, 0.0), shiny).one_sided());
     assert_eq!(*cylinder, Object::new(Shape::cylinder(Vec3::ZERO, top, -1.0), shiny).one_sided());

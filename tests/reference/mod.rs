@@ -5,22 +5,29 @@
 
 pub mod camera;
 pub mod compare;
+pub mod complex;
 pub mod cone;
+pub mod film;
+pub mod fresnel;
+pub mod inside;
 pub mod light;
+pub mod medium;
+pub mod nesting;
 pub mod optics;
 pub mod shade;
 pub mod shapes;
+pub mod spectrum;
 pub mod vector;
 pub mod world;
 
 use std::ops::AddAssign;
 use std::thread;
 
-use whit::scene::{Scene, Tone};
+use whit::scene::{Channel, Scene, Tone};
 
 use shapes::Ray;
 use vector::{Color, Vector};
-use world::World;
+use world::{Hit, World};
 
 /// The numbers in [0, 1)² of one sample, by dimension: 0 for the position in the pixel, 1 for the lens,
 /// 2 + depth·(number of lights) + (place in the list) for a light at a point that a branch of that depth meets.
@@ -74,6 +81,8 @@ pub struct Counts {
     pub reflected: u64,
     pub transmitted: u64,
     pub shadow: u64,
+    /// Rays that go straight on where an object meets one of a higher priority.
+    pub passed: u64,
     /// Hits at which total internal reflection takes all the light.
     pub total_internal: u64,
 }
@@ -84,6 +93,7 @@ impl AddAssign for Counts {
         self.reflected += other.reflected;
         self.transmitted += other.transmitted;
         self.shadow += other.shadow;
+        self.passed += other.passed;
         self.total_internal += other.total_internal;
     }
 }
@@ -130,7 +140,7 @@ pub fn trace_pixel(
         let position = [f64::from(x) + s, f64::from(y) + t];
         let ray = camera::eye_ray(&world.scene.camera, [settings.width, settings.height], position, &numbers);
         counts.eye += 1;
-        sum += Branch { world, settings, numbers: &numbers, depth: 0, throughput: Color::WHITE }.trace(&ray, counts);
+        sum += Branch::eye(world, settings, &numbers).trace(&ray, counts);
     }
     let light = sum * f64::from(samples.count).recip();
     match world.scene.tone {
@@ -149,23 +159,47 @@ pub struct Branch<'a> {
     pub depth: u32,
     /// The product of the weights so far.
     pub throughput: Color,
+    /// The only channel of light that has been dispersed.
+    pub channel: Option<Channel>,
 }
 
-impl Branch<'_> {
+impl<'a> Branch<'a> {
+    /// The root of the tree.
+    pub fn eye(world: &'a World<'a>, settings: &'a Settings, numbers: Numbers<'a>) -> Self {
+        Self { world, settings, numbers, depth: 0, throughput: Color::WHITE, channel: None }
+    }
+
     /// The light that comes along the ray.
     pub fn trace(&self, ray: &Ray, counts: &mut Counts) -> Color {
-        let scene = self.world.scene;
-        let Some(hit) = self.world.nearest(ray) else { return light::background(&scene.background, ray.direction) };
-        let mut light = shade::local(self.world, &hit, ray.direction, self.depth, self.numbers, counts);
-        let branches = optics::branches(&hit, ray.direction, scene.index.into());
+        let Some(hit) = self.world.nearest(ray) else {
+            let clarity = self.world.clarity(ray, f64::INFINITY, |_| true);
+            return clarity * light::background(&self.world.scene.background, ray.direction);
+        };
+        let clarity = self.world.clarity(ray, hit.distance, |_| true);
+        let branch = Self { throughput: self.throughput * clarity, ..*self };
+        clarity * branch.shine(ray, &hit, counts)
+    }
+
+    /// The light that leaves a surface towards the ray's origin.
+    fn shine(&self, ray: &Ray, hit: &Hit<'_>, counts: &mut Counts) -> Color {
+        let Some(border) = self.world.border(ray, hit) else {
+            counts.passed += 1;
+            return self.trace(&hit.leave(ray.direction), counts);
+        };
+        let branches = optics::branches(hit, ray.direction, &border, self.world.scene.fresnel, self.channel);
         if branches.total_internal {
             counts.total_internal += 1;
         }
+        let (own, sent) = shade::balance(&hit.object.material);
+        let mut light =
+            shade::local(self.world, hit, ray.direction, branches.body, self.depth, self.numbers, counts) * own;
         if let Some((weight, direction)) = branches.reflected {
-            light += self.grow(weight, &hit.leave(direction), counts, |counts| &mut counts.reflected);
+            light += self.grow(weight * sent, &hit.leave(direction), counts, |counts| &mut counts.reflected);
         }
-        if let Some((weight, direction)) = branches.transmitted {
-            light += self.grow(weight, &hit.leave(direction), counts, |counts| &mut counts.transmitted);
+        for transmitted in branches.transmitted {
+            let branch = Self { channel: transmitted.channel, ..*self };
+            let ray = hit.leave(transmitted.direction);
+            light += branch.grow(transmitted.weight * sent, &ray, counts, |counts| &mut counts.transmitted);
         }
         light
     }

@@ -1,53 +1,114 @@
 //! The branches that a surface sends on, and their weights.
 
-use whit::scene::Interface;
+use whit::scene::{Channel, Fresnel, Interface};
 
+use super::complex::Complex;
+use super::film;
+use super::fresnel::{conductor, dielectric, schlick};
+use super::medium::{Border, mask};
 use super::vector::{Color, Vector};
 use super::world::Hit;
 
-/// The branches of light at a surface: weight and direction.
-#[derive(Clone, Copy, Debug, Default)]
+/// The branches of light at a surface.
+#[derive(Clone, Debug)]
 pub struct Branches {
+    /// Weight and direction.
     pub reflected: Option<(Color, Vector)>,
-    pub transmitted: Option<(Color, Vector)>,
+    /// Several where light is dispersed.
+    pub transmitted: Vec<Transmitted>,
     /// Whether total internal reflection takes all of it.
     pub total_internal: bool,
+    /// The share of light that a coat leaves to the body.
+    pub body: Color,
 }
 
-/// The branches for the unit direction of the ray. `surroundings` is the index of refraction outside.
-pub fn branches(hit: &Hit<'_>, direction: Vector, surroundings: f64) -> Branches {
-    let reflected_by = |weight| Some((weight, reflect_to_front(direction, hit)));
+/// A transmitted branch.
+#[derive(Clone, Copy, Debug)]
+pub struct Transmitted {
+    pub weight: Color,
+    pub direction: Vector,
+    /// What it carries from here on, if not all channels.
+    pub channel: Option<Channel>,
+}
+
+impl Branches {
+    const NONE: Self = Self { reflected: None, transmitted: Vec::new(), total_internal: false, body: Color::WHITE };
+}
+
+/// The branches for the unit direction of the ray, which carries one channel or all of them.
+pub fn branches(
+    hit: &Hit<'_>,
+    direction: Vector,
+    border: &Border,
+    fresnel: Fresnel,
+    channel: Option<Channel>,
+) -> Branches {
+    let reflected = |weight| Branches { reflected: Some((weight, reflect_to_front(direction, hit))), ..Branches::NONE };
+    let cosine = incident_cosine(direction, hit.normal);
+    let n1 = border.front.index(channel);
     match hit.object.material.interface {
-        Interface::Opaque => Branches::default(),
-        Interface::Mirror { reflected } => Branches { reflected: reflected_by(reflected.into()), ..Default::default() },
-        Interface::Metal { r0 } => {
-            let cosine = incident_cosine(direction, hit.normal);
-            Branches { reflected: reflected_by(Color::from(r0).map(|r0| schlick(r0, cosine))), ..Default::default() }
+        Interface::Opaque => Branches::NONE,
+        Interface::Mirror { reflected: weight } => reflected(weight.into()),
+        Interface::Metal { r0 } => reflected(Color::from(r0).map(|r0| schlick(r0, cosine))),
+        Interface::Conductor { index, extinction, film } => {
+            let (Color(index), Color(extinction)) = (index.into(), extinction.into());
+            let metal = [0, 1, 2].map(|i| Complex::new(index[i], extinction[i]));
+            reflected(match film {
+                None => Color(metal.map(|metal| conductor(metal / n1.into(), cosine))),
+                Some(film) => film::reflectance(&film, hit.point, n1, cosine, metal),
+            })
         }
-        Interface::Constant { reflected, transmitted, index } => {
+        Interface::Coat { index } => {
+            let share = dielectric(fresnel, n1, index.into(), cosine);
+            Branches { body: Color::grey(1.0 - share), ..reflected(Color::grey(share)) }
+        }
+        Interface::Constant { reflected, transmitted, .. } => {
             let (reflected, transmitted) = (Color::from(reflected), Color::from(transmitted));
-            match passage(direction, hit, surroundings, index.into()) {
-                Some(passage) => Branches {
-                    reflected: reflected_by(reflected),
-                    transmitted: Some((transmitted, passage.direction)),
-                    total_internal: false,
-                },
-                None => Branches {
-                    reflected: reflected_by(reflected + transmitted),
-                    transmitted: None,
-                    total_internal: true,
-                },
-            }
+            divide(hit, direction, border, channel, |passage, _| match passage {
+                Some(_) => (reflected, transmitted),
+                None => (reflected + transmitted, Color::BLACK),
+            })
         }
-        Interface::Dielectric { index } => match passage(direction, hit, surroundings, index.into()) {
-            Some(passage) => Branches {
-                reflected: reflected_by(Color::grey(passage.reflectance)),
-                transmitted: Some((Color::grey(1.0 - passage.reflectance), passage.direction)),
-                total_internal: false,
-            },
-            None => Branches { reflected: reflected_by(Color::WHITE), transmitted: None, total_internal: true },
-        },
+        Interface::Dielectric { film, .. } => divide(hit, direction, border, channel, |passage, channel| {
+            let reflected = match (passage, film) {
+                (None, _) => Color::WHITE,
+                (Some(passage), None) => {
+                    let (n1, n2) = (border.front.index(channel), border.behind.index(channel));
+                    Color::grey(dielectric(fresnel, n1, n2, passage.cosine))
+                }
+                (Some(passage), Some(film)) => {
+                    let outer = border.front.index(channel);
+                    film::reflectance(&film, hit.point, outer, passage.cosine, border.behind.base())
+                }
+            };
+            (reflected, Color::WHITE + reflected * -1.0)
+        }),
     }
+}
+
+/// The branches at a transparent surface. `shares` gives the weights of the reflected and the transmitted one for light
+/// of one channel, or of all of them.
+fn divide(
+    hit: &Hit<'_>,
+    direction: Vector,
+    border: &Border,
+    channel: Option<Channel>,
+    shares: impl Fn(Option<&Passage>, Option<Channel>) -> (Color, Color),
+) -> Branches {
+    let mut sum = Color::BLACK;
+    let mut branches = Branches::NONE;
+    for channel in border.channels(channel) {
+        let passage = passage(direction, hit, border.front.index(channel), border.behind.index(channel));
+        let (reflected, transmitted) = shares(passage.as_ref(), channel);
+        sum += reflected * mask(channel);
+        if let Some(passage) = passage {
+            let weight = transmitted * mask(channel);
+            branches.transmitted.push(Transmitted { weight, direction: passage.direction, channel });
+        }
+    }
+    branches.reflected = Some((sum, reflect_to_front(direction, hit)));
+    branches.total_internal = branches.transmitted.is_empty();
+    branches
 }
 
 /// F = D + 2·c₁·N with c₁ = −D·N.
@@ -62,11 +123,6 @@ pub fn refract(direction: Vector, normal: Vector, eta: f64) -> Option<Vector> {
     (radicand >= 0.0).then(|| direction * eta + normal * (eta * c1 - radicand.sqrt()))
 }
 
-/// R = R₀ + (1 − R₀)·(1 − cos θ)⁵: C. Schlick, An Inexpensive BRDF Model for Physically-based Rendering, 1994.
-pub fn schlick(r0: f64, cosine: f64) -> f64 {
-    r0 + (1.0 - r0) * (1.0 - cosine).powi(5)
-}
-
 /// Held between 0 and 1: a shading normal may look away from the ray.
 fn incident_cosine(direction: Vector, normal: Vector) -> f64 {
     (-direction.dot(normal)).clamp(0.0, 1.0)
@@ -78,22 +134,18 @@ fn reflect_to_front(direction: Vector, hit: &Hit<'_>) -> Vector {
     if reflected.dot(hit.geometric) > 0.0 { reflected } else { reflect(direction, hit.geometric) }
 }
 
-/// Refraction with Schlick's reflectance.
+/// Refraction, and the cosine of the angle of incidence about the same normal.
 struct Passage {
     direction: Vector,
-    reflectance: f64,
+    cosine: f64,
 }
 
-/// Refraction about the shading normal, or about the geometric one where the former would stay on this side. The
-/// reflectance takes the cosine on the less dense side, about the same normal. None on total internal reflection.
-fn passage(direction: Vector, hit: &Hit<'_>, surroundings: f64, inside: f64) -> Option<Passage> {
-    let (n1, n2) = if hit.outside { (surroundings, inside) } else { (inside, surroundings) };
-    let about = |normal| Some((refract(direction, normal, n1 / n2)?, normal));
-    let (refracted, normal) = match about(hit.normal)? {
-        through if through.0.dot(hit.geometric) < 0.0 => through,
-        _ => about(hit.geometric)?,
+/// Refraction about the shading normal, or about the geometric one where the former would stay on this side. None on
+/// total internal reflection.
+fn passage(direction: Vector, hit: &Hit<'_>, n1: f64, n2: f64) -> Option<Passage> {
+    let about = |normal| {
+        Some(Passage { direction: refract(direction, normal, n1 / n2)?, cosine: incident_cosine(direction, normal) })
     };
-    let cosine = if n1 <= n2 { incident_cosine(direction, normal) } else { incident_cosine(refracted, normal) };
-    let r0 = ((n1 - n2) / (n1 + n2)).powi(2);
-    Some(Passage { direction: refracted, reflectance: schlick(r0, cosine) })
+    let passage = about(hit.normal)?;
+    if passage.direction.dot(hit.geometric) < 0.0 { Some(passage) } else { about(hit.geometric) }
 }

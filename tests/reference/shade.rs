@@ -1,6 +1,6 @@
 //! The light that a surface sends to the eye by itself: its body and its highlight.
 
-use whit::scene::{Exponent, Lobe, Pattern};
+use whit::scene::{Exponent, Lobe, Material, Pattern, Shadow};
 
 use super::light::arriving;
 use super::optics::reflect;
@@ -11,19 +11,26 @@ use super::{Counts, Numbers};
 /// Dimension of the sample numbers for the first light at depth 0.
 pub const FIRST_LIGHT: u32 = 2;
 
-/// Body: colour · (emission + Σ L·(ambient + diffuse·max(0, N·ω))). Highlight: Σ L · colour · cosˢ. The sums are over
-/// the lights in front of the surface that no object hides.
+/// Body: colour · share · (emission + Σ L·(ambient + diffuse·max(0, N·ω))), with the share that a coat leaves to the
+/// body. Highlight: Σ L · colour · cosˢ. The sums are over the lights in front of the surface that no object hides, in
+/// the colour that the media on the way leave them.
 pub fn local(
     world: &World<'_>,
     hit: &Hit<'_>,
     view: Vector,
+    share: Color,
     depth: u32,
     numbers: Numbers<'_>,
     counts: &mut Counts,
 ) -> Color {
     let material = &hit.object.material;
     let body = material.body.map(|body| {
-        (pattern(&body.color, hit.point), f64::from(body.emission), f64::from(body.ambient), f64::from(body.diffuse))
+        (
+            pattern(&body.color, hit.point) * share,
+            f64::from(body.emission),
+            f64::from(body.ambient),
+            f64::from(body.diffuse),
+        )
     });
     let mut light = body.map_or(Color::BLACK, |(color, emission, ..)| color * emission);
     if body.is_none() && material.highlight.is_none() {
@@ -38,11 +45,13 @@ pub fn local(
             continue;
         }
         counts.shadow += 1;
-        if world.is_blocked(&hit.leave(omega), arriving.distance) {
+        let ray = hit.leave(omega);
+        if world.is_blocked(&ray, arriving.distance) {
             continue;
         }
+        let color_of_light = arriving.color * world.clarity(&ray, arriving.distance, |o| o.shadow == Shadow::Tinted);
         if let Some((color, _, ambient, diffuse)) = body {
-            light += color * arriving.color * (ambient + diffuse * hit.normal.dot(omega).max(0.0));
+            light += color * color_of_light * (ambient + diffuse * hit.normal.dot(omega).max(0.0));
         }
         if let Some(highlight) = &material.highlight {
             let cosine = match highlight.lobe {
@@ -53,10 +62,18 @@ pub fn local(
                 Exponent::Integer(n) => f64::from(n),
                 Exponent::Real(s) => f64::from(s),
             };
-            light += arriving.color * Color::from(highlight.color) * cosine.max(0.0).powf(exponent);
+            light += color_of_light * Color::from(highlight.color) * cosine.max(0.0).powf(exponent);
         }
     }
     light
+}
+
+/// The factors on the light of a surface's own, and on that of its branches.
+pub fn balance(material: &Material<f32>) -> (f64, f64) {
+    material.balance.map_or((1.0, 1.0), |balance| {
+        let (ratio, brightness) = (f64::from(balance.ratio), f64::from(balance.brightness));
+        (brightness * (1.0 - ratio), brightness * ratio)
+    })
 }
 
 /// The colour of a body at a point.

@@ -8,8 +8,8 @@ use super::vector::Vector;
 /// A scene, taken apart.
 pub struct World<'a> {
     pub scene: &'a Scene<'a, f32>,
-    /// Each with its object.
-    primitives: Vec<(Primitive, &'a Object<'a, f32>)>,
+    /// Each with the place of its object in the scene's list.
+    pub primitives: Vec<(Primitive, usize)>,
 }
 
 /// What a ray sees.
@@ -38,8 +38,8 @@ impl Hit<'_> {
 
 impl<'a> World<'a> {
     pub fn new(scene: &'a Scene<'a, f32>) -> Self {
-        let parts = |object| Primitive::all(object).into_iter().map(move |primitive| (primitive, object));
-        Self { scene, primitives: scene.objects.iter().flat_map(parts).collect() }
+        let parts = |(place, object)| Primitive::all(object).into_iter().map(move |primitive| (primitive, place));
+        Self { scene, primitives: scene.objects.iter().enumerate().flat_map(parts).collect() }
     }
 
     /// The nearest primitive that the ray meets, the first one of several.
@@ -47,11 +47,12 @@ impl<'a> World<'a> {
         let mut nearest = None;
         let mut reach = f64::INFINITY;
         for (i, (primitive, object)) in self.primitives.iter().enumerate() {
+            let object = &self.scene.objects[*object];
             primitive.meet(ray, own(ray, i), &mut |meeting| {
                 let seen = object.sides == Sides::Both || ray.direction.dot(meeting.outward) < 0.0;
                 if seen && meeting.distance > ray.skip && meeting.distance < reach {
                     reach = meeting.distance;
-                    nearest = Some((i, *object, meeting));
+                    nearest = Some((i, object, meeting));
                 }
             });
         }
@@ -72,22 +73,21 @@ impl<'a> World<'a> {
         })
     }
 
-    /// Whether an object with a shadow lies on the ray before the distance.
+    /// Whether an object with a full shadow lies on the ray before the distance.
     pub fn is_blocked(&self, ray: &Ray, distance: f64) -> bool {
-        self.primitives.iter().enumerate().filter(|(_, (_, object))| object.shadow == Shadow::Full).any(
-            |(i, (primitive, object))| {
-                let mut blocked = false;
-                primitive.meet(ray, own(ray, i), &mut |meeting| {
-                    let seen = object.sides == Sides::Both || ray.direction.dot(meeting.outward) < 0.0;
-                    blocked |= seen && meeting.distance > ray.skip && meeting.distance < distance - ray.skip;
-                });
-                blocked
-            },
-        )
+        let objects = self.primitives.iter().map(|(primitive, object)| (primitive, &self.scene.objects[*object]));
+        objects.enumerate().filter(|(_, (_, object))| object.shadow == Shadow::Full).any(|(i, (primitive, object))| {
+            let mut blocked = false;
+            primitive.meet(ray, own(ray, i), &mut |meeting| {
+                let seen = object.sides == Sides::Both || ray.direction.dot(meeting.outward) < 0.0;
+                blocked |= seen && meeting.distance > ray.skip && meeting.distance < distance - ray.skip;
+            });
+            blocked
+        })
     }
 }
 
 /// The part of primitive `i` that the ray starts on.
-fn own(ray: &Ray, i: usize) -> Option<usize> {
+pub fn own(ray: &Ray, i: usize) -> Option<usize> {
     ray.left.filter(|surface| surface.primitive == i).map(|surface| surface.part)
 }

@@ -9,6 +9,7 @@ use crate::math::{Rgb, Vec3};
 use crate::scene::{Light, Object, Shape, SmoothTriangle, validate};
 
 /// A part of a scene.
+#[allow(clippy::large_enum_variant)] // There is no heap, and an item is used at once.
 pub(super) enum Item {
     View(View),
     Background(Rgb<f32>),

@@ -3,7 +3,7 @@
 use super::NffError;
 use super::lines::Line;
 use crate::math::{Real, Rgb};
-use crate::scene::{Body, Exponent, Highlight, Interface, Lobe, Material, Object, Pattern, Shape};
+use crate::scene::{Body, Exponent, Highlight, Interface, Lobe, Material, Medium, Object, Pattern, Shape};
 
 /// The largest Shine that becomes an integer exponent; the files have 100000 for "no highlight".
 const LARGEST_INTEGER: f32 = 1e6;
@@ -32,6 +32,7 @@ impl Surface {
             body: body(color, diffuse),
             highlight: highlight(specular, shine),
             interface: interface(specular, transmittance, index),
+            balance: None,
         };
         material.check().map_err(NffError::out_of_range(number))?;
         Ok(Self { material, is_transparent })
@@ -63,7 +64,7 @@ fn highlight(specular: f32, shine: f32) -> Option<Highlight<f32>> {
 fn interface(specular: f32, transmittance: f32, index: f32) -> Interface<f32> {
     let reflected = Rgb::grey(specular);
     if transmittance > 0.0 {
-        Interface::Constant { reflected, transmitted: Rgb::grey(transmittance), index }
+        Interface::Constant { reflected, transmitted: Rgb::grey(transmittance), medium: Medium::new(index) }
     } else if specular > 0.0 {
         Interface::Mirror { reflected }
     } else {

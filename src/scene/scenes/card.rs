@@ -50,6 +50,7 @@ const BALL: Material<f32> = Material {
     body: None,
     highlight: Some(Highlight { color: Rgb::grey(1.0), lobe: Lobe::Phong, exponent: Exponent::Integer(99) }),
     interface: Interface::Mirror { reflected: Rgb::grey(0.5) },
+    balance: None,
 };
 
 const FLOOR: Material<f32> = Material {
@@ -66,6 +67,7 @@ const FLOOR: Material<f32> = Material {
     }),
     highlight: None,
     interface: Interface::Opaque,
+    balance: None,
 };
 
 const OBJECTS: [Object<'static, f32>; 2] =

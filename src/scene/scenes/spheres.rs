@@ -2,7 +2,7 @@
 
 use super::{UP, checker};
 use crate::math::{Rgb, Vec3};
-use crate::scene::{Background, Camera, Interface, Light, Material, Object, Scene, Shape};
+use crate::scene::{Background, Camera, Interface, Light, Material, Medium, Object, Scene, Shape};
 
 /// Three spheres of a lecture on reflection and transmission: constant k_r, constant k_t, and Fresnel's division.
 pub const SPHERES: Scene<'static, f32> = Scene::new(CAMERA, SKY).with_objects(&OBJECTS).with_lights(&LIGHTS);
@@ -19,7 +19,7 @@ const REFLECTIVE: Material<f32> = Material::matte(Rgb::new(0.1, 0.1, 0.12))
 const TRANSMISSIVE: Material<f32> = Material::dielectric(1.5).with_interface(Interface::Constant {
     reflected: Rgb::grey(0.1),
     transmitted: Rgb::new(0.85, 0.9, 0.88),
-    index: 1.5,
+    medium: Medium::new(1.5),
 });
 
 const OBJECTS: [Object<'static, f32>; 5] = [

@@ -1,0 +1,112 @@
+//! What a scene must keep to, so that whatever is accepted renders finite pixels.
+//!
+//! The checks are `const fn`s over `f32`, so that a constant scene is checked by the compiler; scenes in other number
+//! types are converted, primitive by primitive, and checked by the same code.
+
+mod camera;
+mod error;
+mod material;
+mod number;
+mod shape;
+
+pub use error::{Place, SceneError};
+
+use super::{Background, Medium, Object, Scene, Shadow, Tone};
+use crate::math::Real;
+use material::attenuation;
+use number::{Fault, amount, check, ensure, length, refraction, unit};
+pub(super) use number::{color, direction, point};
+
+impl Scene<'_, f32> {
+    /// Checks every number of the scene, in constant evaluation if asked there.
+    ///
+    /// # Errors
+    /// The first field that is out of its range.
+    #[allow(clippy::indexing_slicing)] // In range by the loop's condition; iterators are not const.
+    pub const fn check(&self) -> Result<(), SceneError> {
+        if let Err((field, expected)) = self.camera.check() {
+            return Err(SceneError { place: Place::Camera, field, expected });
+        }
+        if let Err((field, expected)) = check_surroundings(&self.background, &self.tone, &self.medium) {
+            return Err(SceneError { place: Place::Scene, field, expected });
+        }
+        if let Err((field, expected)) = check_count(self.objects.len()) {
+            return Err(SceneError { place: Place::Scene, field, expected });
+        }
+        let mut i = 0;
+        while i < self.objects.len() {
+            if let Err((field, expected)) = self.objects[i].check() {
+                return Err(SceneError { place: Place::Object(i), field, expected });
+            }
+            i += 1;
+        }
+        let mut i = 0;
+        while i < self.lights.len() {
+            if let Err((field, expected)) = self.lights[i].check() {
+                return Err(SceneError { place: Place::Light(i), field, expected });
+            }
+            i += 1;
+        }
+        Ok(())
+    }
+}
+
+impl<T: Real> Scene<'_, T> {
+    /// Checks every number of the scene.
+    ///
+    /// # Errors
+    /// The first field that is out of its range.
+    pub fn validate(&self) -> Result<(), SceneError> {
+        let at = |place| move |(field, expected): Fault| SceneError { place, field, expected };
+        self.camera.map(T::to_f32).check().map_err(at(Place::Camera))?;
+        let (background, tone) = (self.background.map(T::to_f32), self.tone.map(T::to_f32));
+        check_surroundings(&background, &tone, &self.medium.map(T::to_f32)).map_err(at(Place::Scene))?;
+        check_count(self.objects.len()).map_err(at(Place::Scene))?;
+        for (i, object) in self.objects.iter().enumerate() {
+            let mut index = 0;
+            while let Some(part) = object.part(index, T::to_f32) {
+                part.check().map_err(at(Place::Object(i)))?;
+                index += 1;
+            }
+        }
+        for (i, light) in self.lights.iter().enumerate() {
+            light.map(T::to_f32).check().map_err(at(Place::Light(i)))?;
+        }
+        Ok(())
+    }
+}
+
+/// Objects are remembered by 16-bit numbers.
+const fn check_count(objects: usize) -> Result<(), Fault> {
+    check(objects < u16::MAX as usize, "objects", "at most 65534 objects")
+}
+
+const fn check_surroundings(background: &Background<f32>, tone: &Tone<f32>, medium: &Medium<f32>) -> Result<(), Fault> {
+    match *background {
+        Background::Solid(c) => ensure!(color(c, "background")),
+        Background::Gradient { below, above, up } => {
+            ensure!(color(below, "background.below"));
+            ensure!(color(above, "background.above"));
+            ensure!(unit(up, "background.up"));
+        }
+        Background::Sky { horizon, up } => {
+            ensure!(color(horizon, "background.horizon"));
+            ensure!(unit(up, "background.up"));
+        }
+    }
+    if let Tone::Display { gain, lift } = *tone {
+        ensure!(amount(gain, "tone.gain"));
+        ensure!(length(lift, "tone.lift"));
+    }
+    ensure!(refraction(&medium.index, "medium.index"));
+    attenuation(&medium.attenuation, "medium.attenuation")
+}
+
+impl Object<'_, f32> {
+    pub(in crate::scene) const fn check(&self) -> Result<(), Fault> {
+        ensure!(self.shape.check());
+        ensure!(self.material.check());
+        let tinted = matches!(self.shadow, Shadow::Tinted) && !self.material.interface.is_transparent();
+        check(!tinted, "shadow", "a tinted shadow only under a transparent interface")
+    }
+}

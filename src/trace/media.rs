@@ -1,0 +1,283 @@
+//! Which media a branch of light is inside of.
+
+use core::ptr;
+
+use crate::intersect::{Hit, Ray, encloses};
+use crate::math::{Real, Rgb};
+use crate::optics::transmittance;
+use crate::scene::{Effects, Medium, Object, Scene};
+
+/// The transparent objects that enclose a place, as many as `MEDIA`, by their numbers in the scene's list. The first
+/// one is the one the place belongs to: the highest in priority, of equal ones the last in the list.
+///
+/// With `MEDIA` = 0 nothing is remembered, and each transparent object is taken to border on the scene's medium.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Media<const MEDIA: usize>([u16; MEDIA]);
+
+/// Free places come last in the list; no object has this number.
+const FREE: u16 = u16::MAX;
+
+/// What lies on both sides of the surface of a transparent object.
+pub(super) struct Border<T, const MEDIA: usize> {
+    /// Where the light comes from.
+    pub before: Medium<T>,
+    /// Behind the surface.
+    pub behind: Medium<T>,
+    /// What encloses the places behind the surface.
+    pub media: Media<MEDIA>,
+    /// Whether the medium changes. It does not where another object outranks this one on both sides.
+    pub is_real: bool,
+    /// Whether there was no room for another medium.
+    pub overflow: bool,
+}
+
+impl<const MEDIA: usize> Media<MEDIA> {
+    pub(super) const NONE: Self = Self([FREE; MEDIA]);
+
+    /// The media that the origin of a ray lies in, and whether there was no room for one of them.
+    pub(super) fn around<T: Real, const EFFECTS: u64>(scene: &Scene<'_, T>, ray: &Ray<T>) -> (Self, bool) {
+        let (mut media, mut overflow) = (Self::NONE, false);
+        if MEDIA > 0 {
+            for (number, object) in (0..FREE).zip(scene.objects) {
+                if object.material.interface.medium().is_some() && encloses::<T, EFFECTS>(object, ray) {
+                    overflow |= !media.enter(scene, number);
+                }
+            }
+        }
+        (media, overflow)
+    }
+
+    /// The medium that a place so enclosed belongs to.
+    pub(super) fn medium<T: Real>(&self, scene: &Scene<'_, T>) -> Medium<T> {
+        self.0.first().and_then(|&number| medium_of(scene, number)).unwrap_or(scene.medium)
+    }
+
+    /// The share of light that is left after a distance here.
+    pub(super) fn transmittance<T: Real>(&self, scene: &Scene<'_, T>, distance: T) -> Rgb<T> {
+        match self.medium(scene).attenuation {
+            Some(constant) => transmittance(constant, distance),
+            None => Rgb::WHITE,
+        }
+    }
+
+    /// What lies on both sides of a surface. For an opaque one both are the medium that the light comes from.
+    #[inline(always)]
+    pub(super) fn border<T: Real>(&self, scene: &Scene<'_, T>, hit: &Hit<'_, T>) -> Border<T, MEDIA> {
+        let front = hit.contact.front();
+        let Some(inside) = hit.object.material.interface.medium() else {
+            let here = self.medium(scene);
+            return Border { before: here, behind: here, media: *self, is_real: true, overflow: false };
+        };
+        if MEDIA == 0 {
+            let (before, behind) = if front { (scene.medium, inside) } else { (inside, scene.medium) };
+            return Border { before, behind, media: *self, is_real: true, overflow: false };
+        }
+        let (media, overflow) = self.behind(scene, hit);
+        let is_real = self.0.first() != media.0.first();
+        Border { before: self.medium(scene), behind: media.medium(scene), media, is_real, overflow }
+    }
+
+    /// The media behind the surface of a transparent object, and whether there was no room for one of them.
+    pub(super) fn behind<T: Real>(&self, scene: &Scene<'_, T>, hit: &Hit<'_, T>) -> (Self, bool) {
+        let mut media = *self;
+        let number = scene.objects.iter().position(|object| ptr::eq(object, hit.object));
+        let number = number.and_then(|number| u16::try_from(number).ok()).unwrap_or(FREE);
+        if hit.contact.front() {
+            let overflow = !media.enter(scene, number);
+            return (media, overflow);
+        }
+        media.leave(scene, number);
+        (media, false)
+    }
+
+    /// Puts an object into its place in the list; `false` when that pushes the lowest one out.
+    fn enter<T: Real>(&mut self, scene: &Scene<'_, T>, number: u16) -> bool {
+        let mut entering = number;
+        for place in &mut self.0 {
+            if *place == entering {
+                return true;
+            }
+            if *place == FREE {
+                *place = entering;
+                return true;
+            }
+            if rank(scene, entering) > rank(scene, *place) {
+                core::mem::swap(place, &mut entering);
+            }
+        }
+        false
+    }
+
+    /// Takes an object out of the list. What was never entered, because a ray has slipped by its edge, is not there.
+    fn leave<T: Real>(&mut self, scene: &Scene<'_, T>, number: u16) {
+        let itself = self.0.iter().position(|&place| place == number);
+        let found = itself.or_else(|| self.0.iter().position(|&place| is_same_mesh(scene, place, number)));
+        if let Some(rest) = found.and_then(|found| self.0.get_mut(found..)) {
+            rest.rotate_left(1);
+            if let Some(last) = rest.last_mut() {
+                *last = FREE;
+            }
+        }
+    }
+
+    /// The list without the objects that `keep` refuses.
+    pub(super) fn filtered<T: Real>(&self, scene: &Scene<'_, T>, keep: impl Fn(&Object<'_, T>) -> bool) -> Self {
+        let mut kept = Self::NONE;
+        let numbers = self.0.iter().filter(|&&number| scene.objects.get(usize::from(number)).is_some_and(&keep));
+        for (place, number) in kept.0.iter_mut().zip(numbers) {
+            *place = *number;
+        }
+        kept
+    }
+}
+
+fn medium_of<T: Real>(scene: &Scene<'_, T>, number: u16) -> Option<Medium<T>> {
+    scene.objects.get(usize::from(number))?.material.interface.medium()
+}
+
+fn rank<T: Real>(scene: &Scene<'_, T>, number: u16) -> (Option<u8>, u16) {
+    (medium_of(scene, number).and_then(|medium| medium.priority), number)
+}
+
+/// Whether two objects are triangles of one rank: a ray enters a mesh of single triangles by one and leaves it by
+/// another.
+fn is_same_mesh<T: Real>(scene: &Scene<'_, T>, a: u16, b: u16) -> bool {
+    let is_triangle =
+        |number: u16| scene.objects.get(usize::from(number)).is_some_and(|object| object.shape.is_triangle());
+    is_triangle(a) && is_triangle(b) && rank(scene, a).0 == rank(scene, b).0
+}
+
+impl<T: Real, const MEDIA: usize> Border<T, MEDIA> {
+    /// Whether light of all channels splits here.
+    pub(super) fn is_dispersive<const EFFECTS: u64>(&self) -> bool {
+        let effects = const { Effects::from_bits(EFFECTS) };
+        effects.has(Effects::DISPERSION) && (self.before.index.is_dispersive() || self.behind.index.is_dispersive())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::Value;
+
+    use super::*;
+    use crate::math::Vec3;
+    use crate::path::next_surface;
+    use crate::scene::{Background, Camera, Extent, Material, Shape, Triangle};
+
+    const ALL: u64 = Effects::ALL.bits();
+
+    fn scene<'a>(objects: &'a [Object<'a, f64>]) -> Scene<'a, f64> {
+        let camera = Camera {
+            eye: Vec3::ZERO,
+            target: Vec3::new(1.0, 0.0, 0.0),
+            up: Vec3::new(0.0, 1.0, 0.0),
+            half_height: 1.0,
+            extent: Extent::PixelEdges,
+            lens: None,
+        };
+        Scene::new(camera, Background::Solid(Rgb::BLACK)).with_objects(objects)
+    }
+
+    fn slab(from: f64, to: f64, medium: Medium<f64>) -> Object<'static, f64> {
+        let shape = Shape::axis_box(Vec3::new(from, -1.0, -1.0), Vec3::new(to, 1.0, 1.0));
+        Object::new(shape, Material::transparent(medium))
+    }
+
+    fn index(medium: &Medium<f64>) -> f64 {
+        medium.index.at(None)
+    }
+
+    /// The surfaces of one object of a case: a triangle across the x axis for each event.
+    fn surfaces(case: &Value, object: &Value) -> Vec<Triangle<f64>> {
+        let events = case["events"].as_array().unwrap().iter().filter(|event| event["obj"] == object["id"]);
+        let crossing = |x: f64, enters: bool| {
+            let [a, b, c] = [(-2.0, -2.0), (-2.0, 4.0), (4.0, -2.0)].map(|(y, z)| Vec3::new(x, y, z));
+            Triangle { vertices: if enters { [a, b, c] } else { [a, c, b] } }
+        };
+        let mut inside = case["initially_inside"].as_array().unwrap().contains(&object["id"]);
+        let mut surfaces = Vec::new();
+        for event in events {
+            inside = event["kind"] == "enter";
+            surfaces.push(crossing(event["t"].as_f64().unwrap(), inside));
+        }
+        if inside {
+            surfaces.push(crossing(1e3, false));
+        }
+        surfaces
+    }
+
+    fn glass(object: &Value) -> Material<f64> {
+        let medium = Medium::new(object["ior"].as_f64().unwrap());
+        Material::transparent(medium.with_priority(object["priority"].as_u64().unwrap() as u8))
+    }
+
+    /// Every border on every line of the table: which object, whether the medium changes, and both indices.
+    #[test]
+    fn borders_are_those_of_the_definition() {
+        let text = include_str!("../../tests/data/oracles/nested_priority.json");
+        let cases: Value = serde_json::from_str(text).unwrap();
+        let mut count = 0;
+        for case in cases.as_array().unwrap() {
+            let shapes: Vec<_> = case["objects"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|object| (surfaces(case, object), glass(object)))
+                .collect();
+            let objects: Vec<_> =
+                shapes.iter().map(|(list, glass)| Object::new(Shape::Triangles(list), *glass)).collect();
+            let scene = scene(&objects);
+            let mut ray = Ray {
+                origin: Vec3::new(case["start_t"].as_f64().unwrap(), 0.0, 0.0),
+                direction: Vec3::new(1.0, 0.0, 0.0),
+            };
+            let (mut media, overflow) = Media::<8>::around::<f64, ALL>(&scene, &ray);
+            assert!(!overflow);
+            for event in case["events"].as_array().unwrap() {
+                let hit = next_surface::<f64, ALL>(&scene, &ray).unwrap();
+                assert!(ptr::eq(hit.object, &objects[event["obj"].as_u64().unwrap() as usize]), "{event}");
+                assert_eq!(hit.contact.front(), event["kind"] == "enter", "{event}");
+                let border = media.border(&scene, &hit);
+                assert_eq!(Value::from(border.is_real), event["real"], "{event}");
+                assert_eq!(Some(index(&border.before)), event["n1"].as_f64(), "{event}");
+                assert_eq!(Some(index(&border.behind)), event["n2"].as_f64(), "{event}");
+                media = border.media;
+                ray = hit.surface::<ALL>(&ray).leave(ray.direction, !hit.contact.front());
+                count += 1;
+            }
+        }
+        assert!(count > 800, "{count}");
+    }
+
+    /// The medium of the lowest priority is forgotten, and that is told.
+    #[test]
+    fn a_full_list_forgets_the_lowest() {
+        let objects = [3, 1, 2].map(|n: u8| slab(0.0, 9.0, Medium::new(f64::from(n)).with_priority(n)));
+        let scene = scene(&objects);
+        let mut media = Media::<2>::NONE;
+        assert!(media.enter(&scene, 1) && media.enter(&scene, 0));
+        assert!(!media.enter(&scene, 2));
+        assert_eq!(media, Media([0, 2]));
+        media.leave(&scene, 0);
+        media.leave(&scene, 1);
+        assert_eq!(media, Media([2, FREE]));
+        let ray = Ray { origin: Vec3::new(5.0, 0.0, 0.0), direction: Vec3::new(1.0, 0.0, 0.0) };
+        assert_eq!(Media::<2>::around::<f64, ALL>(&scene, &ray), (Media([0, 2]), true));
+        assert_eq!(Media::<3>::around::<f64, ALL>(&scene, &ray), (Media([0, 2, 1]), false));
+    }
+
+    /// Of equal priorities, and of none, the last one in the list counts, in whatever order they are entered.
+    #[test]
+    fn of_equals_the_last_counts() {
+        let objects = [1.1, 1.2, 1.3].map(|n| slab(0.0, 9.0, Medium::new(n)));
+        let scene = scene(&objects);
+        for order in [[0, 1, 2], [2, 1, 0], [1, 2, 0]] {
+            let mut media = Media::<3>::NONE;
+            for number in order {
+                media.enter(&scene, number);
+                media.enter(&scene, number);
+            }
+            assert_eq!(media, Media([2, 1, 0]));
+        }
+    }
+}
