@@ -24,12 +24,12 @@ fn cosine(degrees: f64) -> f64 {
 fn reflectances_agree_with_the_transfer_matrix_method() {
     let (mut count, mut worst, mut worst_wide) = (0, 0.0_f64, 0.0_f64);
     for (_, row) in rows(include_str!("data/oracles/thinfilm_tmm.csv")) {
-        let &[outer, film, eta, k, angle, thickness, wavelength, s, p] = row.as_slice() else { panic!("{row:?}") };
+        let &[outer, film, eta, k, angle, thickness, wavelength, s, p, r] = row.as_slice() else { panic!("{row:?}") };
         let base = Complex::new(eta as f32, k as f32);
         let (rs, rp) =
             thin_film(outer as f32, film as f32, base, cosine(angle) as f32, thickness as f32, wavelength as f32);
         let (rs, rp) = (f64::from(rs), f64::from(rp));
-        let mean = f64::midpoint(rs, rp) - f64::midpoint(s, p);
+        let mean = f64::midpoint(rs, rp) - r;
         worst = worst.max((rs - s).abs()).max((rp - p).abs()).max(mean.abs());
         let (rs, rp) = thin_film(outer, film, Complex::new(eta, k), cosine(angle), thickness, wavelength);
         worst_wide = worst_wide.max((rs - s).abs()).max((rp - p).abs());

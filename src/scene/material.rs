@@ -164,6 +164,23 @@ impl<T: Real> Material<T> {
         }
     }
 
+    /// The same transparent material with a [`priority`](Medium::priority) where it overlaps others. Opaque ones stay as
+    /// they are.
+    #[must_use]
+    pub const fn with_priority(self, priority: u8) -> Self {
+        match self.interface {
+            Interface::Dielectric { medium, film } => {
+                let medium = medium.with_priority(priority);
+                self.with_interface(Interface::Dielectric { medium, film })
+            }
+            Interface::Constant { reflected, transmitted, medium } => {
+                let medium = medium.with_priority(priority);
+                self.with_interface(Interface::Constant { reflected, transmitted, medium })
+            }
+            _ => self,
+        }
+    }
+
     /// The same material with its own light set against its branches: see [`Balance`].
     #[must_use]
     pub const fn with_balance(self, ratio: T, brightness: T) -> Self {

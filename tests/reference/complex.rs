@@ -20,13 +20,11 @@ impl Complex {
         self.re * self.re + self.im * self.im
     }
 
-    /// The root with a real part that is not negative; of a negative real number the one on the positive imaginary
-    /// axis, so that waves that cannot propagate fade.
+    /// The root with no negative part, of a number with an imaginary part that is not negative: of a negative number the
+    /// one on the positive imaginary axis, so that waves that cannot propagate fade.
     pub fn sqrt(self) -> Self {
         let length = self.norm_squared().sqrt();
-        let re = (0.5 * (length + self.re)).max(0.0).sqrt();
-        let im = (0.5 * (length - self.re)).max(0.0).sqrt();
-        Self::new(re, if self.im < 0.0 { -im } else { im })
+        Self::new((0.5 * (length + self.re)).max(0.0).sqrt(), (0.5 * (length - self.re)).max(0.0).sqrt())
     }
 
     pub fn exp(self) -> Self {

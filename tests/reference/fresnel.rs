@@ -8,15 +8,16 @@ use super::complex::Complex;
 
 /// From a medium of index n₁ into one of n₂, at an angle of incidence of cosine c₁; 1 on total internal reflection.
 pub fn dielectric(model: Fresnel, n1: f64, n2: f64, c1: f64) -> f64 {
-    let square = 1.0 - (n1 / n2).powi(2) * (1.0 - c1 * c1);
     if n1 == n2 {
         // The formulas are 0/0 here for rays along the surface.
         return 0.0;
     }
+    // (n₂·c₂)² by Snell's law, without a difference of squares that are nearly equal.
+    let square = (n2 - n1) * (n2 + n1) + (n1 * c1).powi(2);
     if square < 0.0 {
         return 1.0;
     }
-    let c2 = square.sqrt();
+    let c2 = square.sqrt() / n2;
     match model {
         Fresnel::Exact => {
             let s = (n1 * c1 - n2 * c2) / (n1 * c1 + n2 * c2);
