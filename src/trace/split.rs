@@ -79,7 +79,7 @@ impl<T: Real> Facing<T> {
                     None => (Rgb::WHITE, None),
                 })
             }
-            Interface::Dielectric { .. } if effects.has(Effects::DIELECTRIC) => {
+            Interface::Dielectric { .. } if effects.has(Effects::FRESNEL.with(Effects::SCHLICK)) => {
                 self.both(n1, n2, |cosine| match reflectance::<T, EFFECTS>(fresnel, n1, n2, cosine) {
                     Some((r, transmitted_cosine)) => (Rgb::grey(r), Some((Rgb::grey(T::ONE - r), transmitted_cosine))),
                     None => (Rgb::WHITE, None),

@@ -1,0 +1,138 @@
+//! What a tracer of a scene is made of: small programs that render one scene, compiled and looked into.
+
+#![allow(dead_code)] // The tool looks at sizes, the test at names.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use object::{Object, ObjectSection, ObjectSymbol, SectionKind};
+
+/// The library, built for a target, and a folder to work in.
+pub struct Library {
+    folder: PathBuf,
+    /// `None` for the machine at hand.
+    target: Option<&'static str>,
+}
+
+/// A compiled program that renders one scene.
+pub struct Probe {
+    /// Bytes of code. On the machine at hand without the functions that it shares with other programs (`libm`).
+    pub code: u64,
+    /// Bytes of a frame of 5 bounces.
+    pub frame: u64,
+    /// The names of all functions in it, also of those that became part of others.
+    names: String,
+}
+
+impl Library {
+    pub fn build(folder: &Path, target: Option<&'static str>) -> Result<Self, String> {
+        let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
+        let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
+        let mut build = Command::new(cargo);
+        build.args(["build", "--quiet", "--release", "--lib", "--no-default-features", "--manifest-path", manifest]);
+        build.arg("--target-dir").arg(folder);
+        // Flags are for the program at hand, not for the probes.
+        build.env_remove("CARGO_ENCODED_RUSTFLAGS").env_remove("RUSTFLAGS");
+        if let Some(target) = target {
+            build.args(["--target", target]);
+        }
+        run(&mut build)?;
+        Ok(Self { folder: folder.to_owned(), target })
+    }
+
+    /// Compiles the program for one scene of `scenes.rs`.
+    ///
+    /// `level` is the compiler's `opt-level`. Without linking, at "s" and below 2, the compiler leaves functions in that
+    /// nothing uses.
+    pub fn probe(&self, scene: &str, level: &str) -> Result<Probe, String> {
+        let libraries = self.folder.join(self.target.unwrap_or_default()).join("release");
+        let source = self.folder.join(format!("probe_{scene}_{level}.rs"));
+        let output = source.with_extension("o");
+        fs::write(&source, source_of(scene, self.target.is_some())).map_err(|error| error.to_string())?;
+        let mut compile = Command::new(std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned()));
+        compile.args(["--edition", "2024", "-C", "panic=abort", "-C", "debuginfo=2"]);
+        compile.arg("-C").arg(format!("opt-level={level}"));
+        compile.arg("--extern").arg(format!("whit={}", libraries.join("libwhit.rlib").display()));
+        compile.arg("-L").arg(format!("dependency={}", libraries.join("deps").display()));
+        match self.target {
+            None => compile.args(["--crate-type", "lib", "--emit", "obj"]),
+            Some(target) => {
+                let linking =
+                    ["--entry=render", "--undefined=FRAME", "--gc-sections"].map(|flag| format!("link-arg={flag}"));
+                compile.args(["--crate-type", "bin", "--target", target]);
+                compile.args(linking.iter().flat_map(|flag| ["-C", flag]))
+            }
+        };
+        run(compile.arg(&source).arg("-o").arg(&output))?;
+        let bytes = fs::read(&output).map_err(|error| error.to_string())?;
+        Probe::read(&bytes).map_err(|error| format!("{}: {error}", output.display()))
+    }
+}
+
+impl Probe {
+    fn read(bytes: &[u8]) -> object::Result<Self> {
+        let file = object::File::parse(bytes)?;
+        let code = file.sections().filter(|section| section.kind() == SectionKind::Text).map(|text| text.size()).sum();
+        let frame = file.symbols().find(|symbol| symbol.name() == Ok("FRAME")).map_or(0, |symbol| symbol.size());
+        let mut names = String::new();
+        for section in file.sections().filter(|section| section.name().is_ok_and(|name| name.starts_with(".debug_str")))
+        {
+            names.push_str(&String::from_utf8_lossy(&section.uncompressed_data()?));
+        }
+        for symbol in file.symbols() {
+            names.push_str(symbol.name().unwrap_or_default());
+        }
+        Ok(Self { code, frame, names })
+    }
+
+    /// Whether any code of a function is in it. `module::function` names one of several.
+    pub fn has(&self, function: &str) -> bool {
+        // As the compiler writes names: each part after its length.
+        let mangled: String = function.split("::").map(|part| format!("{}{part}", part.len())).collect();
+        self.names.contains(&mangled)
+    }
+}
+
+fn source_of(scene: &str, is_bare: bool) -> String {
+    let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/effects/scenes.rs");
+    let bare = "#[panic_handler]\nfn panic(_: &core::panic::PanicInfo) -> ! {\n    loop {}\n}\n";
+    let (main, panic) = if is_bare { ("#![no_main]\n", bare) } else { ("", "") };
+    format!(
+        r#"#![no_std]
+{main}
+#[path = {scenes:?}]
+mod scenes;
+use core::convert::Infallible;
+use scenes::{scene} as SCENE;
+use whit::render::{{ForEach, Pixel, Size}};
+use whit::{{Frame, Settings}};
+
+type Drawn = Frame<'static, f32, {{ SCENE.effects().bits() }}, {{ SCENE.stack(5) }}, (), {{ SCENE.media() }}>;
+
+#[used]
+#[unsafe(no_mangle)]
+pub static FRAME: [u8; size_of::<Drawn>()] = [0; size_of::<Drawn>()];
+
+#[unsafe(no_mangle)]
+pub extern "C" fn render() {{
+    let tracer = whit::tracer!(SCENE);
+    let mut target = ForEach::new(Size::new(64, 48), |pixel: Pixel| {{
+        core::hint::black_box(pixel);
+        Ok::<(), Infallible>(())
+    }});
+    if let Ok(mut frame) = Frame::new(&tracer, Settings::new(64, 48)) {{
+        let _ = frame.render(&mut target);
+    }}
+}}
+{panic}"#
+    )
+}
+
+fn run(command: &mut Command) -> Result<(), String> {
+    let output = command.output().map_err(|error| format!("{:?}: {error}", command.get_program()))?;
+    if output.status.success() {
+        return Ok(());
+    }
+    Err(format!("{command:?}: {}", String::from_utf8_lossy(&output.stderr)))
+}
