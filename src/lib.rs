@@ -35,8 +35,8 @@
 //! | module | what lives there |
 //! |---|---|
 //! | [`math`] | the scalar trait [`Real`], vectors, colours |
-//! | [`optics`] | pure functions: reflection, refraction, Schlick's approximation |
-//! | [`scene`] | what a user describes: camera, shapes, materials, lights, background; [`Effects`]; files |
+//! | [`optics`] | pure functions: reflection, refraction, Fresnel, attenuation, thin films, dispersion; [`materials`](optics::materials) |
+//! | [`scene`] | what a user describes: camera, shapes, materials, media, lights, background; [`Effects`]; files |
 //! | `intersect` | rays against shapes, error-bounded surface points |
 //! | `path` | how light gets to the next surface |
 //! | [`trace`] | the ray tree, its [`Budget`], shading, observers |
@@ -51,21 +51,25 @@
 //!   1e12.
 //! - Angles are in degrees where a name says so ([`Camera::look_at`]), and else come as their tangent or cosine.
 //! - Colours are linear light in the primaries of Rec. 709; the framebuffer encodes them ([`render::Encoding`]).
-//! - The outside of a shape is where its normal points; the index of refraction changes from [`Scene::index`] to the
-//!   material's where a ray goes in.
+//! - The outside of a shape is where its normal points. Where a ray goes in, the medium changes from what is outside to
+//!   the material's; where transparent objects overlap, to the one of the highest [priority](scene::Medium::priority).
+//! - Thicknesses of films and wavelengths are in nanometres, whatever the scene unit; attenuation is in 1/scene unit.
 //! - Every random-looking number is a function of pixel, sample and dimension ([`trace::Sequence`]); nothing depends on
 //!   the order of work.
 //!
 //! # Memory
 //!
-//! A [`Frame`] is all the state there is. In bytes, on a 64-bit machine:
+//! A [`Frame`] is all the state there is. In bytes, on a 64-bit machine, for scenes whose media need not be remembered
+//! and, in the second line, for ones in which a branch remembers up to 8 ([`Scene::media`]):
 //!
 //! | `DEPTH` | 0 | 1 | 2 | 3 | 4 | 5 | 8 | 16 | 64 |
 //! |---|---|---|---|---|---|---|---|---|---|
 //! | `f32` | 384 | 424 | 464 | 504 | 544 | 584 | 704 | 1024 | 2944 |
+//! | `f32`, 8 media | 416 | 472 | 528 | 584 | 640 | 696 | 864 | 1312 | 4000 |
 //! | `f64` | 672 | 752 | 832 | 912 | 992 | 1072 | 1312 | 1952 | 5792 |
 //!
-//! A test asserts these numbers. The picture's memory is the caller's.
+//! A scene with dispersion needs two entries more than bounces ([`Scene::stack`]). A test asserts these numbers. The
+//! picture's memory is the caller's.
 //!
 //! # Features
 //!

@@ -164,7 +164,7 @@ macro_rules! pairs {
             FILM_TABLE, SPHERE, "by_table";
             FILM_GRADIENT, FILM_TABLE, "";
             FILM_RADIAL, FILM_TABLE, "";
-            OXIDE, SPHERE, "film_on_conductor";
+            OXIDE, SPHERE, "reflectance_of_film";
             BALANCE, BALANCED, "";
         }
     };

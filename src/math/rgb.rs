@@ -33,6 +33,12 @@ impl<T: Copy> Rgb<T> {
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Rgb<U> {
         Rgb { r: f(self.r), g: f(self.g), b: f(self.b) }
     }
+
+    /// Each channel of two colours, put together by `f`.
+    #[inline]
+    pub fn zip<U, V>(self, other: Rgb<U>, f: impl Fn(T, U) -> V) -> Rgb<V> {
+        Rgb { r: f(self.r, other.r), g: f(self.g, other.g), b: f(self.b, other.b) }
+    }
 }
 
 impl<T: Real> Rgb<T> {

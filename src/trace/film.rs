@@ -4,39 +4,19 @@ use crate::math::{Complex, Real, Rgb, Vec3};
 use crate::optics::Coating;
 use crate::scene::{Effects, Film, Spectrum, Thickness};
 
-/// The reflectance of a film between two dielectrics.
-pub(super) fn film_on_dielectric<T: Real, const EFFECTS: u64>(
+/// The reflectance at a point of a film between a medium of index `outer` and a base of complex index, per channel.
+///
+/// It is held between 0 and 1: a saturated colour of the spectrum lies outside of what the primaries can show.
+pub(super) fn reflectance_of_film<T: Real, const EFFECTS: u64>(
     film: &Film<T>,
     point: Vec3<T>,
-    n1: T,
-    n2: T,
+    outer: T,
+    base: Rgb<Complex<T>>,
     cosine: T,
 ) -> Rgb<T> {
-    let base = Rgb::grey(Complex { re: n2, im: T::ZERO });
-    reflectance::<T, EFFECTS>(film, &Coating { outer: n1, film: film.index, base }, point, cosine)
-}
-
-/// The reflectance of a film on a conductor of complex index `index` + i·`extinction`.
-pub(super) fn film_on_conductor<T: Real, const EFFECTS: u64>(
-    film: &Film<T>,
-    point: Vec3<T>,
-    n1: T,
-    index: Rgb<T>,
-    extinction: Rgb<T>,
-    cosine: T,
-) -> Rgb<T> {
-    let base = Rgb {
-        r: Complex { re: index.r, im: extinction.r },
-        g: Complex { re: index.g, im: extinction.g },
-        b: Complex { re: index.b, im: extinction.b },
-    };
-    reflectance::<T, EFFECTS>(film, &Coating { outer: n1, film: film.index, base }, point, cosine)
-}
-
-/// Held between 0 and 1: a saturated colour of the spectrum lies outside of what the primaries can show.
-fn reflectance<T: Real, const EFFECTS: u64>(film: &Film<T>, coating: &Coating<T>, point: Vec3<T>, cosine: T) -> Rgb<T> {
     let effects = const { Effects::from_bits(EFFECTS) };
     let thickness = thickness_at::<T, EFFECTS>(&film.thickness, point);
+    let coating = Coating { outer, film: film.index, base };
     let color = match film.spectrum {
         Spectrum::Wavelengths if effects.has(Effects::FILM_WAVELENGTHS) => coating.by_wavelengths(cosine, thickness),
         Spectrum::Bands(bands) if effects.has(Effects::FILM_BANDS) => coating.by_bands(cosine, thickness, bands),

@@ -1,8 +1,8 @@
 //! What an interface does to a ray: where the two branches go and what they weigh.
 
-use super::film::{film_on_conductor, film_on_dielectric};
+use super::film::reflectance_of_film;
 use crate::intersect::Surface;
-use crate::math::{Real, Rgb, Vec3};
+use crate::math::{Complex, Real, Rgb, Vec3};
 use crate::optics::{
     fresnel_conductor, fresnel_dielectric, reflect, refract, schlick, schlick_dielectric, transmitted_cosine,
 };
@@ -50,18 +50,12 @@ impl<T: Real> Facing<T> {
                 self.mirror(|cosine| r0.map(|r0| schlick(r0, cosine)))
             }
             Interface::Conductor { index, extinction, film: Some(film) } if effects.has(Effects::CONDUCTOR_FILM) => {
-                self.mirror(|cosine| film_on_conductor::<T, EFFECTS>(&film, self.point, n1, index, extinction, cosine))
+                let base = index.zip(extinction, |re, im| Complex { re, im });
+                self.mirror(|cosine| reflectance_of_film::<T, EFFECTS>(&film, self.point, n1, base, cosine))
             }
             Interface::Conductor { index, extinction, .. } if effects.has(Effects::CONDUCTOR) => {
-                let r = |index: T, extinction: T, cosine| fresnel_conductor(index / n1, extinction / n1, cosine).mean();
-                self.mirror(|cosine| {
-                    let channel = |index, extinction| r(index, extinction, cosine);
-                    Rgb::new(
-                        channel(index.r, extinction.r),
-                        channel(index.g, extinction.g),
-                        channel(index.b, extinction.b),
-                    )
-                })
+                let r = |cosine, index, extinction| fresnel_conductor(index / n1, extinction / n1, cosine).mean();
+                self.mirror(|cosine| index.zip(extinction, |index, extinction| r(cosine, index, extinction)))
             }
             Interface::Coat { index } if effects.has(Effects::COAT) => self.coat::<EFFECTS>(fresnel, n1, index),
             Interface::Constant { reflected, transmitted, .. } if effects.has(Effects::CONSTANT) => {
@@ -73,7 +67,8 @@ impl<T: Real> Facing<T> {
             Interface::Dielectric { film: Some(film), .. } if effects.has(Effects::DIELECTRIC_FILM) => {
                 self.both(n1, n2, |cosine| match transmitted_cosine(n1, n2, cosine) {
                     Some(transmitted_cosine) => {
-                        let r = film_on_dielectric::<T, EFFECTS>(&film, self.point, n1, n2, cosine);
+                        let base = Rgb::grey(Complex { re: n2, im: T::ZERO });
+                        let r = reflectance_of_film::<T, EFFECTS>(&film, self.point, n1, base, cosine);
                         (r, Some((r.map(|r| T::ONE - r), transmitted_cosine)))
                     }
                     None => (Rgb::WHITE, None),
