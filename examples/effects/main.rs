@@ -11,9 +11,10 @@ mod speed;
 mod table;
 
 use std::collections::HashMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use clap::Parser;
 use rayon::prelude::*;
 use size::{Library, Probe};
 use table::Row;
@@ -32,8 +33,17 @@ macro_rules! rows {
     };
 }
 
+/// Writes a page of what each effect costs in code, memory and time.
+#[derive(Debug, Parser)]
+#[command(name = "effects")]
+struct Arguments {
+    /// The page.
+    #[arg(default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/effects.md"))]
+    page: PathBuf,
+}
+
 fn main() -> ExitCode {
-    match write() {
+    match write(&Arguments::parse().page) {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
             eprintln!("effects: {message}");
@@ -42,11 +52,10 @@ fn main() -> ExitCode {
     }
 }
 
-fn write() -> Result<(), String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+fn write(page: &Path) -> Result<(), String> {
     // Times first, while nothing else runs.
     let rows = scenes::pairs!(rows);
-    let library = Library::build(&root.join("target/effects"), Some(TARGET))
+    let library = Library::build(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/target/effects")), Some(TARGET))
         .map_err(|error| format!("is {TARGET} installed? `rustup target add {TARGET}`\n{error}"))?;
     let mut names: Vec<&str> = rows.iter().flat_map(|row| [row.with, row.without]).collect();
     names.sort_unstable();
@@ -56,8 +65,7 @@ fn write() -> Result<(), String> {
         Ok((name, [small?, fast?]))
     };
     let probes: HashMap<&str, [Probe; 2]> = names.par_iter().map(probe).collect::<Result<_, String>>()?;
-    let path = root.join("docs/effects.md");
-    std::fs::write(&path, table::page(&rows, &probes)).map_err(|error| format!("{}: {error}", path.display()))?;
-    println!("{}", path.display());
+    std::fs::write(page, table::page(&rows, &probes)).map_err(|error| format!("{}: {error}", page.display()))?;
+    println!("{}", page.display());
     Ok(())
 }

@@ -5,7 +5,7 @@ use core::ptr;
 use crate::intersect::{Hit, Ray, encloses};
 use crate::math::{Real, Rgb};
 use crate::optics::transmittance;
-use crate::scene::{Effects, Medium, Object, Scene};
+use crate::scene::{Effects, Index, Medium, Object, Scene};
 
 /// The transparent objects that enclose a place, as many as `MEDIA`, by their numbers in the scene's list. The first
 /// one is the one the place belongs to: the highest in priority, of equal ones the last in the list.
@@ -19,10 +19,10 @@ const FREE: u16 = u16::MAX;
 
 /// What lies on both sides of the surface of a transparent object.
 pub(super) struct Border<T, const MEDIA: usize> {
-    /// Where the light comes from.
-    pub before: Medium<T>,
-    /// Behind the surface.
-    pub behind: Medium<T>,
+    /// Index of refraction where the light comes from.
+    pub before: Index<T>,
+    /// Index of refraction behind the surface.
+    pub behind: Index<T>,
     /// What encloses the places behind the surface.
     pub media: Media<MEDIA>,
     /// Whether the medium changes. It does not where another object outranks this one on both sides.
@@ -62,19 +62,25 @@ impl<const MEDIA: usize> Media<MEDIA> {
 
     /// What lies on both sides of a surface. For an opaque one both are the medium that the light comes from.
     #[inline(always)]
-    pub(super) fn border<T: Real>(&self, scene: &Scene<'_, T>, hit: &Hit<'_, T>) -> Border<T, MEDIA> {
-        let front = hit.contact.front();
-        let Some(inside) = hit.object.material.interface.medium() else {
-            let here = self.medium(scene);
-            return Border { before: here, behind: here, media: *self, is_real: true, overflow: false };
+    pub(super) fn border<T: Real, const EFFECTS: u64>(
+        &self,
+        scene: &Scene<'_, T>,
+        hit: &Hit<'_, T>,
+    ) -> Border<T, MEDIA> {
+        let real = |before, behind| Border { before, behind, media: *self, is_real: true, overflow: false };
+        let transparent = Effects::from_bits(EFFECTS).has(Effects::CONSTANT.with(Effects::DIELECTRIC));
+        let inside = if transparent { hit.object.material.interface.medium() } else { None };
+        let Some(Medium { index: inside, .. }) = inside else {
+            let here = self.medium(scene).index;
+            return real(here, here);
         };
         if MEDIA == 0 {
-            let (before, behind) = if front { (scene.medium, inside) } else { (inside, scene.medium) };
-            return Border { before, behind, media: *self, is_real: true, overflow: false };
+            let outside = scene.medium.index;
+            return if hit.contact.front() { real(outside, inside) } else { real(inside, outside) };
         }
         let (media, overflow) = self.behind(scene, hit);
         let is_real = self.0.first() != media.0.first();
-        Border { before: self.medium(scene), behind: media.medium(scene), media, is_real, overflow }
+        Border { before: self.medium(scene).index, behind: media.medium(scene).index, media, is_real, overflow }
     }
 
     /// The media behind the surface of a transparent object, and whether there was no room for one of them.
@@ -151,7 +157,7 @@ impl<T: Real, const MEDIA: usize> Border<T, MEDIA> {
     /// Whether light of all channels splits here.
     pub(super) fn is_dispersive<const EFFECTS: u64>(&self) -> bool {
         let effects = const { Effects::from_bits(EFFECTS) };
-        effects.has(Effects::DISPERSION) && (self.before.index.is_dispersive() || self.behind.index.is_dispersive())
+        effects.has(Effects::DISPERSION) && (self.before.is_dispersive() || self.behind.is_dispersive())
     }
 }
 
@@ -181,10 +187,6 @@ mod tests {
     fn slab(from: f64, to: f64, medium: Medium<f64>) -> Object<'static, f64> {
         let shape = Shape::axis_box(Vec3::new(from, -1.0, -1.0), Vec3::new(to, 1.0, 1.0));
         Object::new(shape, Material::transparent(medium))
-    }
-
-    fn index(medium: &Medium<f64>) -> f64 {
-        medium.index.at(None)
     }
 
     /// The surfaces of one object of a case: a triangle across the x axis for each event.
@@ -237,10 +239,10 @@ mod tests {
                 let hit = next_surface::<f64, ALL>(&scene, &ray).unwrap();
                 assert!(ptr::eq(hit.object, &objects[event["obj"].as_u64().unwrap() as usize]), "{event}");
                 assert_eq!(hit.contact.front(), event["kind"] == "enter", "{event}");
-                let border = media.border(&scene, &hit);
+                let border = media.border::<f64, ALL>(&scene, &hit);
                 assert_eq!(Value::from(border.is_real), event["real"], "{event}");
-                assert_eq!(Some(index(&border.before)), event["n1"].as_f64(), "{event}");
-                assert_eq!(Some(index(&border.behind)), event["n2"].as_f64(), "{event}");
+                assert_eq!(Some(border.before.at(None)), event["n1"].as_f64(), "{event}");
+                assert_eq!(Some(border.behind.at(None)), event["n2"].as_f64(), "{event}");
                 media = border.media;
                 ray = hit.surface::<ALL>(&ray).leave(ray.direction, !hit.contact.front());
                 count += 1;

@@ -167,7 +167,7 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             return;
         };
         let material = &hit.object.material;
-        let border = branch.media.border(scene, &hit);
+        let border = branch.media.border::<T, EFFECTS>(scene, &hit);
         if border.overflow {
             observer.media_overflow();
         }
