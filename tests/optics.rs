@@ -181,3 +181,33 @@ fn nested_media_agree() {
     agrees("nested", &objects, Fresnel::Exact, VACUUM, 2e-5);
     agrees("nested in fog", &objects, Fresnel::Schlick, Medium::new(1.02).with_attenuation(TINT * 0.1), 2e-5);
 }
+
+/// A medium all around, but for a hollow in it.
+#[test]
+fn a_medium_turned_inside_out_agrees() {
+    let around = Medium::new(1.2).with_attenuation(TINT * 0.2);
+    let objects = [
+        Object::new(Shape::sphere(v(0.0, 0.6, 0.0), -2.5), Material::transparent(around)),
+        Object::new(Shape::sphere(v(-0.8, 0.8, 0.3), 0.7), Material::matte(Rgb::new(0.8, 0.5, 0.3))),
+        Object::new(Shape::sphere(v(0.8, 0.8, 0.3), 0.7), Material::dielectric(1.5)),
+    ];
+    agrees("inside out", &objects, Fresnel::Exact, VACUUM, 2e-5);
+}
+
+/// A mesh may be one object or an object for each triangle.
+#[test]
+fn single_triangles_make_a_mesh() {
+    use whit::scene::Triangle;
+    let [a, b, c, d] = [v(-1.0, 0.1, 1.0), v(1.2, 0.1, 0.9), v(0.1, 0.2, -1.1), v(0.1, 1.9, 0.1)];
+    let mesh = [[a, b, d], [b, c, d], [c, a, d], [a, c, b]].map(|vertices| Triangle { vertices });
+    let tinted = Material::transparent(Medium::new(1.5).with_attenuation(TINT * 3.0));
+    let ball =
+        Object::new(Shape::sphere(v(0.1, 0.6, 0.1), 0.25), Material::matte(Rgb::WHITE).with_shares(0.6, 0.0, 0.4));
+    let together = [FLOOR, ball, Object::new(Shape::Triangles(&mesh), tinted)];
+    let apart: Vec<_> =
+        [FLOOR, ball].into_iter().chain(mesh.map(|part| Object::new(Shape::Triangle(part), tinted))).collect();
+    let scene = Scene::new(CAMERA, SKY).with_lights(&LIGHTS);
+    let pictures = [scene.with_objects(&together), scene.with_objects(&apart)].map(|scene| picture::<4>(&scene));
+    assert_eq!(pictures[0], pictures[1]);
+    agrees("mesh", &together, Fresnel::Exact, VACUUM, 2e-5);
+}
