@@ -158,6 +158,7 @@ fn nested_media_agree() {
     let film = Film::new(1.45, 350.0).with_spectrum(Spectrum::Wavelengths);
     let red = Material::matte(Rgb::new(0.8, 0.1, 0.1)).with_shares(0.05, 0.1, 0.8);
     let transparent = Material::transparent;
+    let around = Medium::dispersive(Rgb::new(1.04, 1.05, 1.07)).with_priority(0).with_attenuation(TINT * 0.05);
     let objects = [
         FLOOR,
         Object::new(Shape::sphere(v(-1.1, 0.9, 0.3), 0.8), transparent(medium(1.5, 3))).with_tinted_shadow(),
@@ -175,8 +176,8 @@ fn nested_media_agree() {
         Object::new(Shape::sphere(v(0.3, 0.9, 0.45), 0.45), transparent(flint.with_priority(5))).without_shadow(),
         Object::new(Shape::cone(v(0.8, 0.31, 0.0), 0.3, v(0.85, 0.92, 0.07), 0.2).capped(), Material::dielectric(1.2)),
         Object::new(Shape::axis_box(v(0.55, -0.2, -0.23), v(0.97, 0.47, 0.13)), transparent(medium(1.0, 9))),
-        Object::new(Shape::sphere(v(0.4, 1.6, 5.2), 2.0), transparent(medium(1.05, 0).with_attenuation(TINT * 0.05)))
-            .with_tinted_shadow(),
+        Object::new(Shape::sphere(v(0.4, 1.6, 5.2), 2.0), transparent(around)).with_tinted_shadow(),
+        Object::new(Shape::sphere(v(-0.1, 1.2, 3.9), 0.15), red.with_coat(1.5)),
     ];
     agrees("nested", &objects, Fresnel::Exact, VACUUM, 2e-5);
     agrees("nested in fog", &objects, Fresnel::Schlick, Medium::new(1.02).with_attenuation(TINT * 0.1), 2e-5);

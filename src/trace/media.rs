@@ -17,12 +17,12 @@ pub(crate) struct Media<const MEDIA: usize>([u16; MEDIA]);
 /// Free places come last in the list; no object has this number.
 const FREE: u16 = u16::MAX;
 
-/// What lies on both sides of the surface of a transparent object.
+/// What lies on both sides of a surface.
 pub(super) struct Border<T, const MEDIA: usize> {
     /// Index of refraction where the light comes from.
     pub before: Index<T>,
-    /// Index of refraction behind the surface.
-    pub behind: Index<T>,
+    /// Index of refraction behind the surface, if light gets there.
+    pub behind: Option<Index<T>>,
     /// What encloses the places behind the surface.
     pub media: Media<MEDIA>,
     /// Whether the medium changes. It does not where another object outranks this one on both sides.
@@ -60,7 +60,7 @@ impl<const MEDIA: usize> Media<MEDIA> {
         }
     }
 
-    /// What lies on both sides of a surface. For an opaque one both are the medium that the light comes from.
+    /// What lies on both sides of a surface.
     #[inline(always)]
     pub(super) fn border<T: Real, const EFFECTS: u64>(
         &self,
@@ -71,16 +71,16 @@ impl<const MEDIA: usize> Media<MEDIA> {
         let transparent = Effects::from_bits(EFFECTS).has(Effects::CONSTANT.with(Effects::DIELECTRIC));
         let inside = if transparent { hit.object.material.interface.medium() } else { None };
         let Some(Medium { index: inside, .. }) = inside else {
-            let here = self.medium(scene).index;
-            return real(here, here);
+            return real(self.medium(scene).index, None);
         };
         if MEDIA == 0 {
             let outside = scene.medium.index;
-            return if hit.contact.front() { real(outside, inside) } else { real(inside, outside) };
+            return if hit.contact.front() { real(outside, Some(inside)) } else { real(inside, Some(outside)) };
         }
         let (media, overflow) = self.behind(scene, hit);
         let is_real = self.0.first() != media.0.first();
-        Border { before: self.medium(scene).index, behind: media.medium(scene).index, media, is_real, overflow }
+        let (before, behind) = (self.medium(scene).index, Some(media.medium(scene).index));
+        Border { before, behind, media, is_real, overflow }
     }
 
     /// The media behind the surface of a transparent object, and whether there was no room for one of them.
@@ -157,7 +157,8 @@ impl<T: Real, const MEDIA: usize> Border<T, MEDIA> {
     /// Whether light of all channels splits here.
     pub(super) fn is_dispersive<const EFFECTS: u64>(&self) -> bool {
         let effects = const { Effects::from_bits(EFFECTS) };
-        effects.has(Effects::DISPERSION) && (self.before.is_dispersive() || self.behind.is_dispersive())
+        let refracts = |behind: &Index<T>| self.before.is_dispersive() || behind.is_dispersive();
+        effects.has(Effects::DISPERSION) && self.behind.as_ref().is_some_and(refracts)
     }
 }
 
@@ -242,7 +243,7 @@ mod tests {
                 let border = media.border::<f64, ALL>(&scene, &hit);
                 assert_eq!(Value::from(border.is_real), event["real"], "{event}");
                 assert_eq!(Some(border.before.at(None)), event["n1"].as_f64(), "{event}");
-                assert_eq!(Some(border.behind.at(None)), event["n2"].as_f64(), "{event}");
+                assert_eq!(border.behind.map(|index| index.at(None)), event["n2"].as_f64(), "{event}");
                 media = border.media;
                 ray = hit.surface::<ALL>(&ray).leave(ray.direction, !hit.contact.front());
                 count += 1;

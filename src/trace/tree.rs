@@ -166,7 +166,6 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             self.gathered += branch.throughput * background::<T, EFFECTS>(scene, branch.ray.direction);
             return;
         };
-        let material = &hit.object.material;
         let border = branch.media.border::<T, EFFECTS>(scene, &hit);
         if border.overflow {
             observer.media_overflow();
@@ -178,27 +177,39 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             self.current = Some(Branch { ray, media: border.media, kind: RayKind::Passed, ..branch });
             return;
         }
-        let (border, surface, fresnel) = (&border, &surface, scene.fresnel);
-        let meeting = Meeting { branch: &branch, material, surface, front, border, fresnel };
+        let (material, fresnel) = (&hit.object.material, scene.fresnel);
+        let meeting = Meeting { branch: &branch, material, surface: &surface, front, border: &border, fresnel };
         let body = if branch.channel.is_none() && border.is_dispersive::<EFFECTS>() {
             self.disperse::<EFFECTS, O>(&meeting, pending, context, observer);
             T::ONE
         } else {
-            let split = meeting.split::<EFFECTS>(branch.channel);
-            if split.is_total {
-                observer.total_internal_reflection();
-            }
-            let reflected = meeting.reflected::<EFFECTS>(split.reflected);
-            let transmitted = meeting.transmitted::<EFFECTS>(split.transmitted);
-            for child in [reflected, transmitted].into_iter().flatten() {
-                self.spawn::<EFFECTS, O>(child, pending, context, observer);
-            }
-            split.body
+            self.split::<EFFECTS, O>(&meeting, pending, context, observer)
         };
-        self.shading = Shading::new::<EFFECTS>(material, surface, front, &branch, body);
+        self.shading = Shading::new::<EFFECTS>(material, &surface, front, &branch, body);
         if let Some(shading) = &self.shading {
             self.gathered += shading.emitted::<EFFECTS>();
         }
+    }
+
+    /// Spawns the children at a surface; gives the share of the light that gets through to the body.
+    #[inline(always)]
+    fn split<const EFFECTS: u64, O: Observer>(
+        &mut self,
+        meeting: &Meeting<'_, T, MEDIA>,
+        pending: &mut VecView<Branch<T, MEDIA>>,
+        context: &Context<'_, 'a, T>,
+        observer: &mut O,
+    ) -> T {
+        let split = meeting.split::<EFFECTS>(meeting.branch.channel);
+        if split.is_total {
+            observer.total_internal_reflection();
+        }
+        let reflected = meeting.reflected::<EFFECTS>(split.reflected);
+        let transmitted = meeting.transmitted::<EFFECTS>(split.transmitted);
+        for child in [reflected, transmitted].into_iter().flatten() {
+            self.spawn::<EFFECTS, O>(child, pending, context, observer);
+        }
+        split.body
     }
 
     /// Spawns the children at a dispersive border. The reflected branch, which can be dispersed again, is followed after
