@@ -4,8 +4,8 @@ use core::fmt;
 
 /// A set of effects: one bit for each optical effect and each kind of shape, pattern, light and background.
 ///
-/// [`Scene::effects`] reads it off a scene in constant evaluation; a [`Tracer`](crate::Tracer) has it as a constant
-/// parameter, and what is not in it is not in the binary.
+/// [`Scene::effects`](super::Scene::effects) reads it off a scene in constant evaluation; a
+/// [`Tracer`](crate::Tracer) has it as a constant parameter, and what is not in it is not in the binary.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Effects(u64);
 
@@ -21,97 +21,97 @@ macro_rules! effects {
 }
 
 effects! {
-    /// [`Shape::Sphere`]
+    /// [`Shape::Sphere`](super::Shape::Sphere)
     SPHERE = 0, "sphere";
-    /// [`Shape::Spheres`]
+    /// [`Shape::Spheres`](super::Shape::Spheres)
     SPHERES = 1, "spheres";
-    /// [`Shape::Plane`]
+    /// [`Shape::Plane`](super::Shape::Plane)
     PLANE = 2, "plane";
-    /// [`Shape::Disc`]
+    /// [`Shape::Disc`](super::Shape::Disc)
     DISC = 3, "disc";
-    /// [`Shape::Box`]
+    /// [`Shape::Box`](super::Shape::Box)
     BOX = 4, "box";
-    /// [`Shape::Triangle`]
+    /// [`Shape::Triangle`](super::Shape::Triangle)
     TRIANGLE = 5, "triangle";
-    /// [`Shape::Triangles`]
+    /// [`Shape::Triangles`](super::Shape::Triangles)
     TRIANGLES = 6, "triangles";
-    /// [`Shape::SmoothTriangle`]
+    /// [`Shape::SmoothTriangle`](super::Shape::SmoothTriangle)
     SMOOTH_TRIANGLE = 7, "smooth-triangle";
-    /// [`Shape::Cone`]
+    /// [`Shape::Cone`](super::Shape::Cone)
     CONE = 8, "cone";
-    /// [`Sides::Outside`]
+    /// [`Sides::Outside`](super::Sides::Outside)
     ONE_SIDED = 9, "one-sided";
-    /// [`Shadow::None`]
+    /// [`Shadow::None`](super::Shadow::None)
     SHADOWLESS = 10, "shadowless";
     /// A diffuse body.
     BODY = 11, "body";
-    /// [`Pattern::Checker`]
+    /// [`Pattern::Checker`](super::Pattern::Checker)
     CHECKER = 12, "checker";
-    /// [`Pattern::Gradient`]
+    /// [`Pattern::Gradient`](super::Pattern::Gradient)
     GRADIENT = 13, "gradient";
-    /// [`Lobe::Blinn`]
+    /// [`Lobe::Blinn`](super::Lobe::Blinn)
     BLINN = 14, "blinn-highlight";
-    /// [`Lobe::Phong`]
+    /// [`Lobe::Phong`](super::Lobe::Phong)
     PHONG = 15, "phong-highlight";
-    /// [`Exponent::Integer`]
+    /// [`Exponent::Integer`](super::Exponent::Integer)
     INTEGER_EXPONENT = 16, "integer-exponent";
-    /// [`Exponent::Real`]
+    /// [`Exponent::Real`](super::Exponent::Real)
     REAL_EXPONENT = 17, "real-exponent";
-    /// [`Interface::Mirror`]
+    /// [`Interface::Mirror`](super::Interface::Mirror)
     MIRROR = 18, "mirror";
-    /// [`Interface::Metal`]
+    /// [`Interface::Metal`](super::Interface::Metal)
     METAL = 19, "metal";
-    /// [`Interface::Constant`]
+    /// [`Interface::Constant`](super::Interface::Constant)
     CONSTANT = 20, "constant-transmission";
-    /// [`Interface::Dielectric`]
+    /// [`Interface::Dielectric`](super::Interface::Dielectric)
     DIELECTRIC = 21, "dielectric";
-    /// [`Emitter::Point`]
+    /// [`Emitter::Point`](super::Emitter::Point)
     POINT_LIGHT = 22, "point-light";
-    /// [`Emitter::Directional`]
+    /// [`Emitter::Directional`](super::Emitter::Directional)
     DIRECTIONAL_LIGHT = 23, "directional-light";
-    /// [`Emitter::Sphere`]
+    /// [`Emitter::Sphere`](super::Emitter::Sphere)
     SPHERE_LIGHT = 24, "sphere-light";
-    /// [`Emitter::Parallelogram`]
+    /// [`Emitter::Parallelogram`](super::Emitter::Parallelogram)
     PARALLELOGRAM_LIGHT = 25, "parallelogram-light";
     /// [`Falloff`](super::Falloff)
     FALLOFF = 26, "falloff";
-    /// [`Background::Gradient`]
+    /// [`Background::Gradient`](super::Background::Gradient)
     BACKGROUND_GRADIENT = 27, "background-gradient";
-    /// [`Background::Sky`]
+    /// [`Background::Sky`](super::Background::Sky)
     SKY = 28, "sky";
     /// [`Lens`](super::Lens)
     LENS = 29, "lens";
-    /// [`Tone::Display`]
+    /// [`Tone::Display`](super::Tone::Display)
     DISPLAY_TONE = 30, "display-tone";
-    /// [`Fresnel::Exact`], where a dielectric without a film or a coat calls for it.
+    /// [`Fresnel::Exact`](super::Fresnel::Exact), where a dielectric without a film or a coat calls for it.
     FRESNEL = 31, "fresnel";
-    /// [`Fresnel::Schlick`], where a dielectric without a film or a coat calls for it.
+    /// [`Fresnel::Schlick`](super::Fresnel::Schlick), where a dielectric without a film or a coat calls for it.
     SCHLICK = 32, "schlick";
-    /// [`Interface::Conductor`] without a film.
+    /// [`Interface::Conductor`](super::Interface::Conductor) without a film.
     CONDUCTOR = 33, "conductor";
-    /// [`Interface::Coat`]
+    /// [`Interface::Coat`](super::Interface::Coat)
     COAT = 34, "coat";
     /// A medium with [`attenuation`](super::Medium::attenuation).
     ATTENUATION = 35, "attenuation";
     /// A medium with a [`priority`](super::Medium::priority).
     PRIORITY = 36, "priority";
-    /// [`Shadow::Tinted`]
+    /// [`Shadow::Tinted`](super::Shadow::Tinted)
     TINTED_SHADOW = 37, "tinted-shadow";
-    /// [`Index::Dispersive`]
+    /// [`Index::Dispersive`](super::Index::Dispersive)
     DISPERSION = 38, "dispersion";
     /// A thin film on a dielectric.
     DIELECTRIC_FILM = 39, "film-on-dielectric";
     /// A thin film on a conductor.
     CONDUCTOR_FILM = 40, "film-on-conductor";
-    /// [`Spectrum::Wavelengths`]
+    /// [`Spectrum::Wavelengths`](super::Spectrum::Wavelengths)
     FILM_WAVELENGTHS = 41, "film-wavelengths";
-    /// [`Spectrum::Bands`]
+    /// [`Spectrum::Bands`](super::Spectrum::Bands)
     FILM_BANDS = 42, "film-bands";
-    /// [`Spectrum::Table`]
+    /// [`Spectrum::Table`](super::Spectrum::Table)
     FILM_TABLE = 43, "film-table";
-    /// [`Thickness::Gradient`]
+    /// [`Thickness::Gradient`](super::Thickness::Gradient)
     FILM_GRADIENT = 44, "film-gradient";
-    /// [`Thickness::Radial`]
+    /// [`Thickness::Radial`](super::Thickness::Radial)
     FILM_RADIAL = 45, "film-radial";
     /// [`Balance`](super::Balance)
     BALANCE = 46, "balance";
