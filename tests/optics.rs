@@ -158,7 +158,7 @@ fn nested_media_agree() {
     let film = Film::new(1.45, 350.0).with_spectrum(Spectrum::Wavelengths);
     let red = Material::matte(Rgb::new(0.8, 0.1, 0.1)).with_shares(0.05, 0.1, 0.8);
     let transparent = Material::transparent;
-    let around = Medium::dispersive(Rgb::new(1.04, 1.05, 1.07)).with_priority(0).with_attenuation(TINT * 0.05);
+    let around = Medium::dispersive(Rgb::new(1.05, 1.2, 1.45)).with_priority(0).with_attenuation(TINT * 0.05);
     let objects = [
         FLOOR,
         Object::new(Shape::sphere(v(-1.1, 0.9, 0.3), 0.8), transparent(medium(1.5, 3))).with_tinted_shadow(),
@@ -178,8 +178,11 @@ fn nested_media_agree() {
         Object::new(Shape::axis_box(v(0.55, -0.2, -0.23), v(0.97, 0.47, 0.13)), transparent(medium(1.0, 9))),
         Object::new(Shape::sphere(v(0.4, 1.6, 5.2), 2.0), transparent(around)).with_tinted_shadow(),
         Object::new(Shape::sphere(v(-0.1, 1.2, 3.9), 0.15), red.with_coat(1.5)),
+        Object::new(Shape::sphere(v(1.6, 0.6, 1.3), 0.4), transparent(medium(1.1, 6).with_attenuation(TINT)))
+            .without_shadow(),
+        Object::new(Shape::sphere(v(1.6, 0.5, 1.2), 0.2), red),
     ];
-    agrees("nested", &objects, Fresnel::Exact, VACUUM, 2e-5);
+    agrees("nested", &objects, Fresnel::Exact, VACUUM, 3e-5);
     agrees("nested in fog", &objects, Fresnel::Schlick, Medium::new(1.02).with_attenuation(TINT * 0.1), 2e-5);
 }
 
