@@ -24,20 +24,24 @@ fn scenes_call_for_what_they_hold() {
 /// The same bits come out of the code for a scene's own effects and the code for all.
 #[test]
 fn pruned_code_draws_the_same_picture() {
-    fn draw<const EFFECTS: u64>(tracer: &Tracer<'_, f32, EFFECTS, 6>) -> Vec<Rgb<f32>> {
+    fn draw<const EFFECTS: u64, const MEDIA: usize>(tracer: &Tracer<'_, f32, EFFECTS, 6, MEDIA>) -> Vec<Rgb<f32>> {
         let mut pixels = vec![Rgb::BLACK; 48 * 36];
         let mut target = LinearRgb::new(Size::new(48, 36), &mut pixels).unwrap();
         Frame::new(tracer, Settings::new(48, 36).with_depth(6)).unwrap().render(&mut target).unwrap();
         pixels
     }
-    fn draw_all(scene: &Scene<'_, f32>) -> Vec<Rgb<f32>> {
-        draw(&Tracer::<f32, { Effects::ALL.bits() }, 6>::try_new(scene).unwrap())
+    macro_rules! same {
+        ($scene:path) => {{
+            let all = Tracer::<f32, { Effects::ALL.bits() }, 6, { $scene.media() }>::try_new(&$scene).unwrap();
+            assert_eq!(draw(&whit::tracer!($scene, 6)), draw(&all));
+        }};
     }
-    assert_eq!(draw(&whit::tracer!(scenes::SHOWCASE, 6)), draw_all(&scenes::SHOWCASE));
-    assert_eq!(draw(&whit::tracer!(scenes::SPHERES, 6)), draw_all(&scenes::SPHERES));
-    assert_eq!(draw(&whit::tracer!(scenes::MIRRORS, 6)), draw_all(&scenes::MIRRORS));
-    assert_eq!(draw(&whit::tracer!(scenes::FLAKE, 6)), draw_all(&scenes::FLAKE));
-    assert_eq!(draw(&whit::tracer!(scenes::CARD, 6)), draw_all(&scenes::CARD));
+    same!(scenes::SHOWCASE);
+    same!(scenes::SPHERES);
+    same!(scenes::MIRRORS);
+    same!(scenes::FLAKE);
+    same!(scenes::CARD);
+    same!(scenes::METALS);
 }
 
 #[test]

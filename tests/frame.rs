@@ -21,7 +21,7 @@ fn settings() -> Settings<f32> {
 fn picture(
     scene: &Scene<'_, f32>,
     settings: Settings<f32>,
-    drive: impl Fn(&mut Frame<'_, f32, ALL, 16, Stats>, &mut LinearRgb<'_>),
+    drive: impl Fn(&mut Frame<'_, f32, ALL, 16, Stats, 8>, &mut LinearRgb<'_>),
 ) -> (Vec<Rgb<f32>>, Stats) {
     let mut pixels = vec![Rgb::grey(-1.0); settings.size.pixels() as usize];
     let mut target = LinearRgb::new(settings.size, &mut pixels).unwrap();

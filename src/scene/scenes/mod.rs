@@ -2,12 +2,14 @@
 
 mod card;
 mod flake;
+mod metals;
 mod mirrors;
 mod showcase;
 mod spheres;
 
 pub use card::CARD;
 pub use flake::{FLAKE, flake_spheres};
+pub use metals::METALS;
 pub use mirrors::MIRRORS;
 pub use showcase::SHOWCASE;
 pub use spheres::SPHERES;
@@ -16,8 +18,14 @@ use super::{Pattern, Scene};
 use crate::math::{Rgb, Vec3};
 
 /// All built-in scenes by name.
-pub const ALL: [(&str, Scene<'static, f32>); 5] =
-    [("showcase", SHOWCASE), ("spheres", SPHERES), ("mirrors", MIRRORS), ("flake", FLAKE), ("card", CARD)];
+pub const ALL: [(&str, Scene<'static, f32>); 6] = [
+    ("showcase", SHOWCASE),
+    ("spheres", SPHERES),
+    ("mirrors", MIRRORS),
+    ("flake", FLAKE),
+    ("card", CARD),
+    ("metals", METALS),
+];
 
 /// Upwards in the scenes of this crate's own; y is up.
 const UP: Vec3<f32> = Vec3::new(0.0, 1.0, 0.0);
