@@ -42,6 +42,7 @@ fn pruned_code_draws_the_same_picture() {
     same!(scenes::FLAKE);
     same!(scenes::CARD);
     same!(scenes::METALS);
+    same!(scenes::WINDOW);
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod metals;
 mod mirrors;
 mod showcase;
 mod spheres;
+mod window;
 
 pub use card::CARD;
 pub use flake::{FLAKE, flake_spheres};
@@ -13,18 +14,20 @@ pub use metals::METALS;
 pub use mirrors::MIRRORS;
 pub use showcase::SHOWCASE;
 pub use spheres::SPHERES;
+pub use window::WINDOW;
 
 use super::{Pattern, Scene};
 use crate::math::{Rgb, Vec3};
 
 /// All built-in scenes by name.
-pub const ALL: [(&str, Scene<'static, f32>); 6] = [
+pub const ALL: [(&str, Scene<'static, f32>); 7] = [
     ("showcase", SHOWCASE),
     ("spheres", SPHERES),
     ("mirrors", MIRRORS),
     ("flake", FLAKE),
     ("card", CARD),
     ("metals", METALS),
+    ("window", WINDOW),
 ];
 
 /// Upwards in the scenes of this crate's own; y is up.
