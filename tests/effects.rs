@@ -43,6 +43,7 @@ fn pruned_code_draws_the_same_picture() {
     same!(scenes::CARD);
     same!(scenes::METALS);
     same!(scenes::WINDOW);
+    same!(scenes::GLASS);
 }
 
 #[test]

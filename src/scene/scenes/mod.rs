@@ -2,6 +2,7 @@
 
 mod card;
 mod flake;
+mod glass;
 mod metals;
 mod mirrors;
 mod showcase;
@@ -10,6 +11,7 @@ mod window;
 
 pub use card::CARD;
 pub use flake::{FLAKE, flake_spheres};
+pub use glass::GLASS;
 pub use metals::METALS;
 pub use mirrors::MIRRORS;
 pub use showcase::SHOWCASE;
@@ -20,7 +22,7 @@ use super::{Pattern, Scene};
 use crate::math::{Rgb, Vec3};
 
 /// All built-in scenes by name.
-pub const ALL: [(&str, Scene<'static, f32>); 7] = [
+pub const ALL: [(&str, Scene<'static, f32>); 8] = [
     ("showcase", SHOWCASE),
     ("spheres", SPHERES),
     ("mirrors", MIRRORS),
@@ -28,6 +30,7 @@ pub const ALL: [(&str, Scene<'static, f32>); 7] = [
     ("card", CARD),
     ("metals", METALS),
     ("window", WINDOW),
+    ("glass", GLASS),
 ];
 
 /// Upwards in the scenes of this crate's own; y is up.
