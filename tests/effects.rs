@@ -44,6 +44,7 @@ fn pruned_code_draws_the_same_picture() {
     same!(scenes::METALS);
     same!(scenes::WINDOW);
     same!(scenes::GLASS);
+    same!(scenes::DEEP);
 }
 
 #[test]

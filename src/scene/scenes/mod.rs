@@ -1,6 +1,7 @@
 //! Built-in scenes: constants that fit into flash. One that is not used is not in the binary.
 
 mod card;
+mod deep;
 mod flake;
 mod glass;
 mod metals;
@@ -10,6 +11,7 @@ mod spheres;
 mod window;
 
 pub use card::CARD;
+pub use deep::DEEP;
 pub use flake::{FLAKE, flake_spheres};
 pub use glass::GLASS;
 pub use metals::METALS;
@@ -22,7 +24,7 @@ use super::{Pattern, Scene};
 use crate::math::{Rgb, Vec3};
 
 /// All built-in scenes by name.
-pub const ALL: [(&str, Scene<'static, f32>); 8] = [
+pub const ALL: [(&str, Scene<'static, f32>); 9] = [
     ("showcase", SHOWCASE),
     ("spheres", SPHERES),
     ("mirrors", MIRRORS),
@@ -31,6 +33,7 @@ pub const ALL: [(&str, Scene<'static, f32>); 8] = [
     ("metals", METALS),
     ("window", WINDOW),
     ("glass", GLASS),
+    ("deep", DEEP),
 ];
 
 /// Upwards in the scenes of this crate's own; y is up.
