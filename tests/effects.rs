@@ -45,6 +45,7 @@ fn pruned_code_draws_the_same_picture() {
     same!(scenes::WINDOW);
     same!(scenes::GLASS);
     same!(scenes::DEEP);
+    same!(scenes::TINTS);
 }
 
 #[test]

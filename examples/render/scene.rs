@@ -67,6 +67,7 @@ impl Source {
             Self::BuiltIn { name: "window", .. } => trace(&whit::tracer!(scenes::WINDOW, DEPTH), job),
             Self::BuiltIn { name: "glass", .. } => trace(&whit::tracer!(scenes::GLASS, DEPTH), job),
             Self::BuiltIn { name: "deep", .. } => trace(&whit::tracer!(scenes::DEEP, DEPTH), job),
+            Self::BuiltIn { name: "tints", .. } => trace(&whit::tracer!(scenes::TINTS, DEPTH), job),
             Self::BuiltIn { .. } => trace(&whit::tracer!(scenes::SHOWCASE, DEPTH), job),
             Self::File { scene, .. } => {
                 let scene = scene.as_scene().ok_or("the file was not read")?;

@@ -8,6 +8,7 @@ mod metals;
 mod mirrors;
 mod showcase;
 mod spheres;
+mod tints;
 mod window;
 
 pub use card::CARD;
@@ -18,13 +19,14 @@ pub use metals::METALS;
 pub use mirrors::MIRRORS;
 pub use showcase::SHOWCASE;
 pub use spheres::SPHERES;
+pub use tints::TINTS;
 pub use window::WINDOW;
 
 use super::{Pattern, Scene};
 use crate::math::{Rgb, Vec3};
 
 /// All built-in scenes by name.
-pub const ALL: [(&str, Scene<'static, f32>); 9] = [
+pub const ALL: [(&str, Scene<'static, f32>); 10] = [
     ("showcase", SHOWCASE),
     ("spheres", SPHERES),
     ("mirrors", MIRRORS),
@@ -34,6 +36,7 @@ pub const ALL: [(&str, Scene<'static, f32>); 9] = [
     ("window", WINDOW),
     ("glass", GLASS),
     ("deep", DEEP),
+    ("tints", TINTS),
 ];
 
 /// Upwards in the scenes of this crate's own; y is up.
