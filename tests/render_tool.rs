@@ -107,6 +107,19 @@ fn list_names_scenes_and_effects() {
     assert!(lines[0].starts_with("showcase") && lines[0].contains("dielectric"), "{text}");
 }
 
+#[test]
+fn every_built_in_scene_is_rendered() {
+    let folder = folder();
+    let pictures = whit::scenes::ALL.map(|(name, _)| {
+        let output = run(folder.path(), &[name, "--size", "16x12", "--samples", "1", "-o", "picture.png"]);
+        assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+        std::fs::read(folder.path().join("picture.png")).unwrap()
+    });
+    for (i, picture) in pictures.iter().enumerate() {
+        assert!(!pictures[..i].contains(picture), "{} shows another scene", whit::scenes::ALL[i].0);
+    }
+}
+
 /// One line on stderr, exit code 2, nothing written, nothing lost.
 #[test]
 fn bad_input_is_one_clear_line() {
@@ -115,11 +128,10 @@ fn bad_input_is_one_clear_line() {
     std::fs::write(at.join("broken.nff"), "v\nfrom 0 0 x\n").unwrap();
     std::fs::write(at.join("old.png"), "precious").unwrap();
     let before = files(at);
+    let names = whit::scenes::ALL.map(|(name, _)| name).join(", ");
+    let unknown = format!("scene `teapot`: expected one of {names}, or a path to an .nff file");
     let cases: [(&[&str], &str); 16] = [
-        (
-            &["teapot"],
-            "scene `teapot`: expected one of showcase, spheres, mirrors, flake, card, or a path to an .nff file",
-        ),
+        (&["teapot"], &unknown),
         (&["nowhere.nff"], "nowhere.nff: No such file"),
         (&["broken.nff", "-o", "old.png"], "broken.nff: line 2: expected a number for `z`, found `x`"),
         (&["--size", "0x10"], "expected 1 to 1048576 pixels a side, found `0`"),

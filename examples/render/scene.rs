@@ -16,6 +16,16 @@ pub enum Source {
     File { name: String, size: Size, scene: FileScene },
 }
 
+/// Traces a built-in scene by code for just its own effects.
+macro_rules! trace_built_in {
+    ($name:expr, $job:expr; $($scene:ident)*) => {{
+        $(if $name.eq_ignore_ascii_case(stringify!($scene)) {
+            return trace(&whit::tracer!(scenes::$scene, DEPTH), $job);
+        })*
+        Err(format!("this program has no tracer for the scene `{}`", $name))
+    }};
+}
+
 impl Source {
     /// Finds a built-in scene by its name, or reads a file.
     pub fn open(name: &str) -> Result<Self, String> {
@@ -59,16 +69,9 @@ impl Source {
 
     pub fn render(&self, job: &Job) -> Result<Picture, String> {
         match self {
-            Self::BuiltIn { name: "spheres", .. } => trace(&whit::tracer!(scenes::SPHERES, DEPTH), job),
-            Self::BuiltIn { name: "mirrors", .. } => trace(&whit::tracer!(scenes::MIRRORS, DEPTH), job),
-            Self::BuiltIn { name: "flake", .. } => trace(&whit::tracer!(scenes::FLAKE, DEPTH), job),
-            Self::BuiltIn { name: "card", .. } => trace(&whit::tracer!(scenes::CARD, DEPTH), job),
-            Self::BuiltIn { name: "metals", .. } => trace(&whit::tracer!(scenes::METALS, DEPTH), job),
-            Self::BuiltIn { name: "window", .. } => trace(&whit::tracer!(scenes::WINDOW, DEPTH), job),
-            Self::BuiltIn { name: "glass", .. } => trace(&whit::tracer!(scenes::GLASS, DEPTH), job),
-            Self::BuiltIn { name: "deep", .. } => trace(&whit::tracer!(scenes::DEEP, DEPTH), job),
-            Self::BuiltIn { name: "tints", .. } => trace(&whit::tracer!(scenes::TINTS, DEPTH), job),
-            Self::BuiltIn { .. } => trace(&whit::tracer!(scenes::SHOWCASE, DEPTH), job),
+            Self::BuiltIn { name, .. } => trace_built_in!(
+                name, job; SHOWCASE SPHERES MIRRORS FLAKE CARD METALS WINDOW GLASS DEEP TINTS
+            ),
             Self::File { scene, .. } => {
                 let scene = scene.as_scene().ok_or("the file was not read")?;
                 let tracer = Tracer::<f32, { Effects::ALL.bits() }, DEPTH>::try_new(&scene);
