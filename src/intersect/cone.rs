@@ -46,16 +46,20 @@ pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside
     best
 }
 
-/// Solves |across(t)|² = radius(t)² with the origin moved to the ray's closest approach to the middle of the axis, so
-/// that the digits are spent near the cone and not on the way to it.
+/// Solves |across(t)|² = radius(t)² with the origin moved to where the ray is nearest to the axis, so that the digits
+/// are spent near the contacts and not on the way to them. A ray along the axis moves no farther than its end.
 fn intersect_side<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let axis = Axis::new(cone);
-    let start = (cone.base + (cone.apex - cone.base) * T::HALF - ray.origin).dot(ray.direction);
-    let (height, across) = axis.split(ray.at(start) - cone.base);
     let (rise, across_rate) = axis.split(ray.direction);
+    let square = across_rate.length_squared();
+    let middle = (cone.base + (cone.apex - cone.base) * T::HALF - ray.origin).dot(ray.direction);
+    let (_, across) = axis.split(ray.at(middle) - cone.base);
+    let shift = if square > T::ZERO { -(across.dot(across_rate) / square) } else { T::ZERO };
+    let start = middle + shift.min(axis.height).max(-axis.height);
+    let (height, across) = axis.split(ray.at(start) - cone.base);
     let radius = cone.base_radius.abs() + axis.slope * height;
     let radius_rate = axis.slope * rise;
-    let a = across_rate.length_squared() - radius_rate * radius_rate;
+    let a = square - radius_rate * radius_rate;
     let b = across.dot(across_rate) - radius * radius_rate;
     let c = across.length_squared() - radius * radius;
     let solid = cone.base_radius > T::ZERO || cone.apex_radius > T::ZERO;

@@ -10,7 +10,7 @@ use crate::scene::{Background, Camera, Light, Material, Medium, Object, Pattern,
 /// Four transparent things lie within each other. Each place belongs to the one of the highest priority that holds it,
 /// so that every border is one between the two media that meet there (Schmidt and Budge, "Simple Nested Dielectrics in
 /// Ray Traced Images", 2002). Look at the straw, which breaks at the water, at the ice, which hardly shows in water and
-/// well above it, and at the bottom of the glass. Light turns up to a dozen times in it: 12 bounces show all there is.
+/// well above it, and at the bottom of the glass. Eight bounces show all this; twelve add the last glints.
 pub const GLASS: Scene<'static, f32> = Scene::new(CAMERA, SKY).with_objects(&OBJECTS).with_lights(&LIGHTS);
 
 const CAMERA: Camera<f32> = Camera::look_at(Vec3::new(0.0, 2.7, 7.4), Vec3::new(0.15, 1.4, 0.0), UP, 27.0);
