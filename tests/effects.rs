@@ -46,6 +46,7 @@ fn pruned_code_draws_the_same_picture() {
     same!(scenes::GLASS);
     same!(scenes::DEEP);
     same!(scenes::TINTS);
+    same!(scenes::BUBBLE);
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Built-in scenes: constants that fit into flash. One that is not used is not in the binary.
 
+mod bubble;
 mod card;
 mod deep;
 mod flake;
@@ -11,6 +12,7 @@ mod spheres;
 mod tints;
 mod window;
 
+pub use bubble::BUBBLE;
 pub use card::CARD;
 pub use deep::DEEP;
 pub use flake::{FLAKE, flake_spheres};
@@ -26,7 +28,7 @@ use super::{Pattern, Scene};
 use crate::math::{Rgb, Vec3};
 
 /// All built-in scenes by name.
-pub const ALL: [(&str, Scene<'static, f32>); 10] = [
+pub const ALL: [(&str, Scene<'static, f32>); 11] = [
     ("showcase", SHOWCASE),
     ("spheres", SPHERES),
     ("mirrors", MIRRORS),
@@ -37,6 +39,7 @@ pub const ALL: [(&str, Scene<'static, f32>); 10] = [
     ("glass", GLASS),
     ("deep", DEEP),
     ("tints", TINTS),
+    ("bubble", BUBBLE),
 ];
 
 /// Upwards in the scenes of this crate's own; y is up.
