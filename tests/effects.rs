@@ -47,6 +47,7 @@ fn pruned_code_draws_the_same_picture() {
     same!(scenes::DEEP);
     same!(scenes::TINTS);
     same!(scenes::BUBBLE);
+    same!(scenes::OIL);
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod flake;
 mod glass;
 mod metals;
 mod mirrors;
+mod oil;
 mod showcase;
 mod spheres;
 mod tints;
@@ -19,6 +20,7 @@ pub use flake::{FLAKE, flake_spheres};
 pub use glass::GLASS;
 pub use metals::METALS;
 pub use mirrors::MIRRORS;
+pub use oil::OIL;
 pub use showcase::SHOWCASE;
 pub use spheres::SPHERES;
 pub use tints::TINTS;
@@ -28,7 +30,7 @@ use super::{Pattern, Scene};
 use crate::math::{Rgb, Vec3};
 
 /// All built-in scenes by name.
-pub const ALL: [(&str, Scene<'static, f32>); 11] = [
+pub const ALL: [(&str, Scene<'static, f32>); 12] = [
     ("showcase", SHOWCASE),
     ("spheres", SPHERES),
     ("mirrors", MIRRORS),
@@ -40,6 +42,7 @@ pub const ALL: [(&str, Scene<'static, f32>); 11] = [
     ("deep", DEEP),
     ("tints", TINTS),
     ("bubble", BUBBLE),
+    ("oil", OIL),
 ];
 
 /// Upwards in the scenes of this crate's own; y is up.
