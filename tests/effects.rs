@@ -48,6 +48,7 @@ fn pruned_code_draws_the_same_picture() {
     same!(scenes::TINTS);
     same!(scenes::BUBBLE);
     same!(scenes::OIL);
+    same!(scenes::TITANIUM);
 }
 
 #[test]

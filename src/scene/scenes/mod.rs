@@ -11,6 +11,7 @@ mod oil;
 mod showcase;
 mod spheres;
 mod tints;
+mod titanium;
 mod window;
 
 pub use bubble::BUBBLE;
@@ -24,13 +25,14 @@ pub use oil::OIL;
 pub use showcase::SHOWCASE;
 pub use spheres::SPHERES;
 pub use tints::TINTS;
+pub use titanium::TITANIUM;
 pub use window::WINDOW;
 
 use super::{Pattern, Scene};
 use crate::math::{Rgb, Vec3};
 
 /// All built-in scenes by name.
-pub const ALL: [(&str, Scene<'static, f32>); 12] = [
+pub const ALL: [(&str, Scene<'static, f32>); 13] = [
     ("showcase", SHOWCASE),
     ("spheres", SPHERES),
     ("mirrors", MIRRORS),
@@ -43,6 +45,7 @@ pub const ALL: [(&str, Scene<'static, f32>); 12] = [
     ("tints", TINTS),
     ("bubble", BUBBLE),
     ("oil", OIL),
+    ("titanium", TITANIUM),
 ];
 
 /// Upwards in the scenes of this crate's own; y is up.
