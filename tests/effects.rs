@@ -24,7 +24,9 @@ fn scenes_call_for_what_they_hold() {
 /// The same bits come out of the code for a scene's own effects and the code for all.
 #[test]
 fn pruned_code_draws_the_same_picture() {
-    fn draw<const EFFECTS: u64, const MEDIA: usize>(tracer: &Tracer<'_, f32, EFFECTS, 6, MEDIA>) -> Vec<Rgb<f32>> {
+    fn draw<const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize>(
+        tracer: &Tracer<'_, f32, EFFECTS, DEPTH, MEDIA>,
+    ) -> Vec<Rgb<f32>> {
         let mut pixels = vec![Rgb::BLACK; 48 * 36];
         let mut target = LinearRgb::new(Size::new(48, 36), &mut pixels).unwrap();
         Frame::new(tracer, Settings::new(48, 36).with_depth(6)).unwrap().render(&mut target).unwrap();
@@ -32,7 +34,8 @@ fn pruned_code_draws_the_same_picture() {
     }
     macro_rules! same {
         ($scene:path) => {{
-            let all = Tracer::<f32, { Effects::ALL.bits() }, 6, { $scene.media() }>::try_new(&$scene).unwrap();
+            let all = Tracer::<f32, { Effects::ALL.bits() }, { $scene.stack(6) }, { $scene.media() }>::try_new(&$scene)
+                .unwrap();
             assert_eq!(draw(&whit::tracer!($scene, 6)), draw(&all));
         }};
     }
@@ -49,6 +52,7 @@ fn pruned_code_draws_the_same_picture() {
     same!(scenes::BUBBLE);
     same!(scenes::OIL);
     same!(scenes::TITANIUM);
+    same!(scenes::PRISM);
 }
 
 #[test]

@@ -70,7 +70,7 @@ impl Source {
     pub fn render(&self, job: &Job) -> Result<Picture, String> {
         match self {
             Self::BuiltIn { name, .. } => trace_built_in!(
-                name, job; SHOWCASE SPHERES MIRRORS FLAKE CARD METALS WINDOW GLASS DEEP TINTS BUBBLE OIL TITANIUM
+                name, job; SHOWCASE SPHERES MIRRORS FLAKE CARD METALS WINDOW GLASS DEEP TINTS BUBBLE OIL TITANIUM PRISM
             ),
             Self::File { scene, .. } => {
                 let scene = scene.as_scene().ok_or("the file was not read")?;

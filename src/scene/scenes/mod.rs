@@ -8,6 +8,7 @@ mod glass;
 mod metals;
 mod mirrors;
 mod oil;
+mod prism;
 mod showcase;
 mod spheres;
 mod tints;
@@ -22,6 +23,7 @@ pub use glass::GLASS;
 pub use metals::METALS;
 pub use mirrors::MIRRORS;
 pub use oil::OIL;
+pub use prism::PRISM;
 pub use showcase::SHOWCASE;
 pub use spheres::SPHERES;
 pub use tints::TINTS;
@@ -32,7 +34,7 @@ use super::{Pattern, Scene};
 use crate::math::{Rgb, Vec3};
 
 /// All built-in scenes by name.
-pub const ALL: [(&str, Scene<'static, f32>); 13] = [
+pub const ALL: [(&str, Scene<'static, f32>); 14] = [
     ("showcase", SHOWCASE),
     ("spheres", SPHERES),
     ("mirrors", MIRRORS),
@@ -46,6 +48,7 @@ pub const ALL: [(&str, Scene<'static, f32>); 13] = [
     ("bubble", BUBBLE),
     ("oil", OIL),
     ("titanium", TITANIUM),
+    ("prism", PRISM),
 ];
 
 /// Upwards in the scenes of this crate's own; y is up.
