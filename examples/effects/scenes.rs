@@ -85,11 +85,11 @@ scenes! {
     PHONG = shining(Lobe::Phong, Exponent::Integer(60));
     POINT = ball(BODY), lights: &[LAMP];
     FALLOFF = ball(BODY), lights: &[LAMP.with_falloff(Falloff { constant: 1.0, linear: 0.0, quadratic: 0.1 })];
-    BALL_LIGHT = ball(BODY), lights: &[Light { emitter: Emitter::Sphere { center: CORNERS[2], radius: 0.3 }, ..SUN }];
-    PANEL_LIGHT = ball(BODY), lights: &[Light {
+    BALL_LIGHT = ball(BODY), lights: &[SUN, Light { emitter: Emitter::Sphere { center: CORNERS[2], radius: 0.3 }, ..SUN }];
+    PANEL_LIGHT = ball(BODY), lights: &[SUN, Light {
         emitter: Emitter::Parallelogram { corner: CORNERS[2], edge_u: CORNERS[0], edge_v: CORNERS[1] }, ..SUN
     }];
-    NO_LIGHT = ball(BODY), lights: &[];
+    TWO_LIGHTS = ball(BODY), lights: &[SUN, LAMP];
     FADING = ball(BODY), background: Background::Gradient { below: Rgb::WHITE, above: TINT, up: UP };
     ZENITH = ball(BODY), background: Background::Sky { horizon: TINT, up: UP };
     LENSED = ball(BODY), camera: CAMERA.with_lens(LENS);
@@ -138,11 +138,11 @@ macro_rules! pairs {
             BLINN, SPHERE, "powi";
             PHONG, SPHERE, "powi";
             BLINN_REAL, SPHERE, "powf";
-            SPHERE, NO_LIGHT, "";
-            POINT, NO_LIGHT, "";
+            TWO_LIGHTS, POINT, "";
+            TWO_LIGHTS, SPHERE, "";
             FALLOFF, POINT, "";
-            BALL_LIGHT, NO_LIGHT, "concentric";
-            PANEL_LIGHT, NO_LIGHT, "";
+            BALL_LIGHT, SPHERE, "concentric";
+            PANEL_LIGHT, SPHERE, "";
             FADING, SPHERE, "";
             ZENITH, SPHERE, "";
             LENSED, SPHERE, "aperture_point";

@@ -110,6 +110,7 @@ pub fn stats_as_json(stats: &Stats, seconds: f64) -> serde_json::Value {
         "cut_by_depth": stats.cut_by_depth,
         "cut_by_cutoff": stats.cut_by_cutoff,
         "cut_by_budget": stats.cut_by_budget,
+        "cut_by_passing": stats.cut_by_passing,
         "seconds": seconds,
         "ns_per_ray": seconds * 1e9 / stats.rays() as f64,
     })

@@ -67,7 +67,30 @@ fn cross<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>, shear: &Shear<T>) -> Op
     if sum == T::ZERO {
         return None;
     }
-    Some(Crossing { weights: [u, v, w], sum, t: (u * a.z + v * b.z + w * c.z) / sum })
+    let t = (u * a.z + v * b.z + w * c.z) / sum;
+    let weights = [u, v, w];
+    if t <= uncertainty([a, b, c], weights, sum) {
+        return None;
+    }
+    Some(Crossing { weights, sum, t })
+}
+
+/// A bound on the error of t, below which a crossing is not surely in front of the origin (Pharr, Jakob and Humphreys,
+/// "Physically Based Rendering", 4th edition, 6.8.7): a ray that leaves a triangle does not meet it again.
+///
+/// `vertices` are sheared. Where all lie in front of the origin, so does the crossing, and nothing is uncertain.
+#[inline]
+fn uncertainty<T: Real>([a, b, c]: [Vec3<T>; 3], [u, v, w]: [T; 3], sum: T) -> T {
+    if a.z > T::ZERO && b.z > T::ZERO && c.z > T::ZERO {
+        return T::ZERO;
+    }
+    let rounding = |operations: f32| T::from_f32(operations) * T::ROUNDOFF;
+    let largest = |a: T, b: T, c: T| a.abs().max(b.abs()).max(c.abs());
+    let (x, y, z) = (largest(a.x, b.x, c.x), largest(a.y, b.y, c.y), largest(a.z, b.z, c.z));
+    let (error_x, error_y, error_z) = (rounding(5.0) * (x + z), rounding(5.0) * (y + z), rounding(3.0) * z);
+    let error_weight = T::TWO * (rounding(2.0) * x * y + error_y * x + error_x * y);
+    let weight = largest(u, v, w);
+    T::from_f32(3.0) * (rounding(3.0) * weight * z + error_weight * z + error_z * weight) / sum.abs()
 }
 
 /// The contact nearer than `limit`, if it may be seen.

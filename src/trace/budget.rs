@@ -16,6 +16,10 @@ pub struct Budget<T> {
     pub termination: Termination<T>,
 }
 
+/// How many surfaces in a row a ray may go straight through: branches inside a medium of higher priority, and shadow rays
+/// in tinted media. It takes no depth, and this bounds it.
+pub const MOST_PASSED: u8 = 255;
+
 /// What stands for the light of a branch that is cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Termination<T> {

@@ -54,6 +54,7 @@ impl<T: Real, const MEDIA: usize> Meeting<'_, T, MEDIA> {
             ray: self.surface.leave(direction, outside),
             throughput: self.branch.throughput * weight,
             depth: self.branch.depth.saturating_add(1),
+            passed: 0,
             ..*self.branch
         }
     }

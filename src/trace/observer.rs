@@ -26,6 +26,8 @@ pub enum Cut {
     Cutoff,
     /// [`Budget::rays_per_pixel`](crate::Budget::rays_per_pixel)
     Rays,
+    /// [`MOST_PASSED`](super::MOST_PASSED) surfaces in a row that it went straight through.
+    Passed,
 }
 
 /// Is told of events while a frame is traced. Every method does nothing unless it is written; `()` sees nothing, and
@@ -134,6 +136,8 @@ pub struct Stats {
     pub cut_by_cutoff: u64,
     /// Branches cut by the rays per pixel.
     pub cut_by_budget: u64,
+    /// Branches and shadow rays cut after too many surfaces that they went straight through.
+    pub cut_by_passing: u64,
 }
 
 impl Stats {
@@ -157,6 +161,7 @@ impl Stats {
             cut_by_depth: self.cut_by_depth + other.cut_by_depth,
             cut_by_cutoff: self.cut_by_cutoff + other.cut_by_cutoff,
             cut_by_budget: self.cut_by_budget + other.cut_by_budget,
+            cut_by_passing: self.cut_by_passing + other.cut_by_passing,
         }
     }
 }
@@ -188,6 +193,7 @@ impl Observer for Stats {
             Cut::Depth => self.cut_by_depth += 1,
             Cut::Cutoff => self.cut_by_cutoff += 1,
             Cut::Rays => self.cut_by_budget += 1,
+            Cut::Passed => self.cut_by_passing += 1,
         }
     }
 }

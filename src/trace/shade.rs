@@ -110,7 +110,7 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
                     }
                     *rays -= 1;
                     observer.ray(RayKind::Shadow);
-                    let share = light_share::<T, EFFECTS, MEDIA>(scene, &self.media, &arriving, rays);
+                    let share = light_share::<T, EFFECTS, MEDIA, O>(scene, &self.media, &arriving, rays, observer);
                     if let Some(share) = share {
                         *gathered += self.throughput * sent * share;
                     }

@@ -10,7 +10,7 @@ use super::background::background;
 use super::media::Media;
 use super::meeting::Meeting;
 use super::shade::{Samples, Shading};
-use super::{Budget, Cut, Observer, RayKind, Termination};
+use super::{Budget, Cut, MOST_PASSED, Observer, RayKind, Termination};
 use crate::intersect::Ray;
 use crate::math::{Real, Rgb};
 use crate::path::next_surface;
@@ -24,6 +24,8 @@ pub(super) struct Branch<T, const MEDIA: usize> {
     /// What the ray's origin lies in.
     pub media: Media<MEDIA>,
     pub depth: u8,
+    /// Surfaces that it went straight through since the last bounce.
+    pub passed: u8,
     pub kind: RayKind,
     /// The only channel that is left, after dispersion.
     pub channel: Option<Channel>,
@@ -94,7 +96,7 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         if overflow {
             observer.media_overflow();
         }
-        let eye = Branch { ray, throughput: Rgb::WHITE, media, depth: 0, kind: RayKind::Eye, channel: None };
+        let eye = Branch { ray, throughput: Rgb::WHITE, media, depth: 0, passed: 0, kind: RayKind::Eye, channel: None };
         Self { gathered: Rgb::BLACK, current: Some(eye), shading: None, rays_left: rays }
     }
 
@@ -174,7 +176,13 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         let front = hit.contact.front();
         if !border.is_real {
             let ray = surface.leave(branch.ray.direction, !front);
-            self.current = Some(Branch { ray, media: border.media, kind: RayKind::Passed, ..branch });
+            let passed = branch.passed.saturating_add(1);
+            let branch = Branch { ray, media: border.media, kind: RayKind::Passed, passed, ..branch };
+            if passed < MOST_PASSED {
+                self.current = Some(branch);
+            } else {
+                self.cut::<EFFECTS, O>(context, &branch, Cut::Passed, observer);
+            }
             return;
         }
         let (material, fresnel) = (&hit.object.material, scene.fresnel);

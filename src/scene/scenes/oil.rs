@@ -5,7 +5,7 @@ use crate::math::{Rgb, Vec3};
 use crate::optics::materials::{OLIVE_OIL, WATER};
 use crate::scene::{Background, Camera, Film, Light, Material, Object, Scene, Shape, Thickness};
 
-/// Two puddles under an overcast sky, on each a drop of oil that has spread.
+/// Two puddles under an overcast sky, on each a drop of oil that has spread, and a traffic cone.
 ///
 /// The oil is thickest in the middle and thins out to nothing before the edge of the puddle, where bare water mirrors
 /// the grey sky. Each ring is a thickness: from the outside it gets brighter than the water, then come brown, blue and
@@ -18,7 +18,7 @@ const CAMERA: Camera<f32> = Camera::look_at(Vec3::new(0.3, 4.0, 5.2), Vec3::new(
 /// An overcast sky.
 const SKY: Background<f32> = Background::Gradient { below: Rgb::grey(0.2), above: Rgb::new(4.4, 4.5, 4.6), up: UP };
 
-const ASPHALT: Material<f32> =
+const PAVING: Material<f32> =
     Material::patterned(checker(Rgb::new(0.027, 0.026, 0.024), Rgb::grey(0.019), 0.6)).with_shares(0.0, 0.1, 0.75);
 const ORANGE: Material<f32> = Material::matte(Rgb::new(0.6, 0.1, 0.01)).with_shares(0.0, 0.15, 0.7);
 const WHITE: Material<f32> = Material::matte(Rgb::grey(0.5)).with_shares(0.0, 0.15, 0.7);
@@ -38,7 +38,7 @@ const fn puddle(x: f32, z: f32, radius: f32, thickest: f32) -> Object<'static, f
 const OBJECTS: [Object<'static, f32>; 7] = [
     puddle(-0.1, 0.2, 2.0, 750.0),
     puddle(-1.9, -2.3, 0.8, 400.0),
-    Object::new(Shape::plane(Vec3::ZERO, UP), ASPHALT),
+    Object::new(Shape::plane(Vec3::ZERO, UP), PAVING),
     Object::new(Shape::axis_box(Vec3::new(1.2, 0.0, -2.0), Vec3::new(2.2, 0.06, -1.0)), ORANGE),
     Object::new(Shape::cone(Vec3::new(1.7, 0.0, -1.5), 0.4, Vec3::new(1.7, 0.55, -1.5), 0.27), ORANGE),
     Object::new(Shape::cone(Vec3::new(1.7, 0.55, -1.5), 0.27, Vec3::new(1.7, 0.85, -1.5), 0.18), WHITE),

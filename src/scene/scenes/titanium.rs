@@ -3,14 +3,15 @@
 use super::UP;
 use crate::math::{Rgb, Vec3};
 use crate::optics::materials::{TITANIUM as METAL, TITANIUM_DIOXIDE};
-use crate::scene::{Background, Camera, Film, Material, Object, Scene, Shape, Thickness};
+use crate::optics::{Band, bands};
+use crate::scene::{Background, Camera, Film, Material, Object, Scene, Shape, Spectrum, Thickness};
 
 /// Titanium balls in front of a titanium bar, under a clear oxide that grows thicker from left to right.
 ///
 /// The oxide of the bar goes from 0 to 180 nm, and each ball has the oxide of the place of the bar behind it. No dye is
 /// in it: bronze, blue, pale steel, yellow, magenta and turquoise are what interference leaves, in the order in which
-/// they come up when titanium is anodised with a rising voltage. Where one is seen at a
-/// slant, it has the colour of a thinner oxide.
+/// they come up when titanium is anodised with a rising voltage. Where one is seen at a slant, it has the colour of a
+/// thinner oxide.
 pub const TITANIUM: Scene<'static, f32> = Scene::new(CAMERA, ROOM).with_objects(&OBJECTS);
 
 const CAMERA: Camera<f32> = Camera::look_at(Vec3::new(0.0, 3.5, 10.6), Vec3::new(0.0, 0.8, 0.0), UP, 31.5);
@@ -23,12 +24,17 @@ const BARE: Material<f32> = Material::conductor(METAL.index, METAL.extinction);
 const MIDDLE: f32 = 90.0;
 const SLOPE: f32 = 25.0;
 
+/// Enough of the spectrum for thin films. The table would take the metal's index for one in each channel; it changes
+/// over each.
+static BANDS: [Band; 16] = bands();
+const OXIDE: Film<f32> = Film::new(TITANIUM_DIOXIDE, 0.0).with_spectrum(Spectrum::Bands(&BANDS));
+
 const fn ball(x: f32) -> Object<'static, f32> {
-    let film = Film::new(TITANIUM_DIOXIDE, MIDDLE + SLOPE * x);
+    let film = OXIDE.with_thickness(Thickness::Uniform(MIDDLE + SLOPE * x));
     Object::new(Shape::sphere(Vec3::new(x, 0.45, 0.6), 0.45), BARE.with_film(film))
 }
 
-const SERIES: Film<f32> = Film::new(TITANIUM_DIOXIDE, 0.0).with_thickness(Thickness::Gradient {
+const SERIES: Film<f32> = OXIDE.with_thickness(Thickness::Gradient {
     from: 0.0,
     to: 2.0 * MIDDLE,
     origin: Vec3::new(-MIDDLE / SLOPE, 0.0, 0.0),
