@@ -7,7 +7,7 @@ use whit::render::{ForEach, Pixel, Size};
 use whit::{Frame, Settings, Stats, Tracer};
 
 const SIZE: Size = Size::new(96, 72);
-const RUNS: usize = 15;
+const RUNS: usize = 301;
 
 /// Nanoseconds a ray of two tracers, run in turn; each the least of several runs.
 pub fn compare<const E: u64, const D: usize, const M: usize, const F: u64, const C: usize, const N: usize>(

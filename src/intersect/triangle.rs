@@ -69,21 +69,20 @@ fn cross<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>, shear: &Shear<T>) -> Op
     }
     let t = (u * a.z + v * b.z + w * c.z) / sum;
     let weights = [u, v, w];
-    if t <= uncertainty([a, b, c], weights, sum) {
+    // Where all corners lie in front of the origin, so does the crossing.
+    let is_ahead = a.z > T::ZERO && b.z > T::ZERO && c.z > T::ZERO;
+    if !is_ahead && t <= uncertainty([a, b, c], weights, sum) {
         return None;
     }
     Some(Crossing { weights, sum, t })
 }
 
 /// A bound on the error of t, below which a crossing is not surely in front of the origin (Pharr, Jakob and Humphreys,
-/// "Physically Based Rendering", 4th edition, 6.8.7): a ray that leaves a triangle does not meet it again.
-///
-/// `vertices` are sheared. Where all lie in front of the origin, so does the crossing, and nothing is uncertain.
-#[inline]
+/// "Physically Based Rendering", 4th edition, 6.8.7): a ray that leaves a triangle does not meet it again. The corners
+/// are sheared.
+#[cold]
+#[inline(never)]
 fn uncertainty<T: Real>([a, b, c]: [Vec3<T>; 3], [u, v, w]: [T; 3], sum: T) -> T {
-    if a.z > T::ZERO && b.z > T::ZERO && c.z > T::ZERO {
-        return T::ZERO;
-    }
     let rounding = |operations: f32| T::from_f32(operations) * T::ROUNDOFF;
     let largest = |a: T, b: T, c: T| a.abs().max(b.abs()).max(c.abs());
     let (x, y, z) = (largest(a.x, b.x, c.x), largest(a.y, b.y, c.y), largest(a.z, b.z, c.z));
