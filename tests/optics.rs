@@ -215,3 +215,36 @@ fn single_triangles_make_a_mesh() {
     assert_eq!(pictures[0], pictures[1]);
     agrees("mesh", &together, Fresnel::Exact, VACUUM, 2e-5);
 }
+
+/// A list of media that is too short is told, for branches, for shadow rays and where the eye is.
+#[test]
+fn forgotten_media_are_counted() {
+    use whit::{Budget, Ray};
+    let ball = |radius| {
+        let tinted = Material::transparent(Medium::new(1.2).with_attenuation(TINT));
+        Object::new(Shape::sphere(v(0.0, 0.0, 0.0), radius), tinted).with_tinted_shadow()
+    };
+    let stone = Object::new(Shape::sphere(v(0.0, 0.0, 3.0), 0.5), Material::matte(Rgb::WHITE));
+    let objects = [stone, ball(1.5), ball(1.0), ball(0.5)];
+    let lights = [Light::point(v(0.0, 0.0, -4.0), Rgb::WHITE)];
+    let scene = Scene::new(CAMERA, SKY).with_objects(&objects).with_lights(&lights);
+    fn overflows<const MEDIA: usize>(scene: &Scene<'_, f32>, from: f32, towards: f32) -> u64 {
+        let tracer = Tracer::<f32, { Effects::ALL.bits() }, 0, MEDIA>::try_new(scene).unwrap();
+        let mut stats = Stats::default();
+        let ray = Ray { origin: v(0.0, 0.0, from), direction: v(0.0, 0.0, towards) };
+        let light = tracer.trace(ray, &Budget::with_depth(0), &mut stats);
+        assert!(light.max_channel().is_finite());
+        stats.media_overflows
+    }
+    // From the middle, where the list is full from the start; then to the stone, past whose middle the light comes.
+    for (from, towards) in [(0.0, -1.0), (2.0, 1.0)] {
+        assert_eq!(overflows::<3>(&scene, from, towards), 0);
+        assert!(overflows::<2>(&scene, from, towards) > 0, "from {from}");
+    }
+    // Two bounces into the balls.
+    let tracer = Tracer::<f32, { Effects::ALL.bits() }, 3, 2>::try_new(&scene).unwrap();
+    let mut stats = Stats::default();
+    let ray = Ray { origin: v(0.0, 0.0, -3.0), direction: v(0.0, 0.0, 1.0) };
+    let _ = tracer.trace(ray, &Budget::with_depth(3), &mut stats);
+    assert!(stats.media_overflows > 0);
+}

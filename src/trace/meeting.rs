@@ -19,7 +19,7 @@ pub(super) struct Meeting<'s, T, const MEDIA: usize> {
     pub fresnel: Fresnel,
 }
 
-/// A child of a branch, or what keeps one from being.
+/// A branch that comes of another, where there is one.
 type Child<T, const MEDIA: usize> = Option<Branch<T, MEDIA>>;
 
 impl<T: Real, const MEDIA: usize> Meeting<'_, T, MEDIA> {

@@ -38,7 +38,11 @@ pub(super) fn light_share<T: Real, const EFFECTS: u64, const MEDIA: usize, O: Ob
         share = share * media.transmittance(scene, hit.contact.t);
         *rays = rays.saturating_sub(1);
         left = (left - hit.contact.t).max(T::ZERO);
-        (media, _) = media.behind(scene, &hit);
+        let (behind, overflow) = media.behind(scene, &hit);
+        if overflow {
+            observer.media_overflow();
+        }
+        media = behind;
         ray = hit.surface::<EFFECTS>(&ray).leave(ray.direction, !hit.contact.front());
     }
     observer.cut(Cut::Passed, share.map(T::to_f32));
