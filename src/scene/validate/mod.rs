@@ -14,8 +14,10 @@ pub use error::{Place, SceneError};
 use super::{Background, Medium, Object, Scene, Shadow, Tone};
 use crate::math::Real;
 use material::attenuation;
+pub(super) use number::color;
 use number::{Fault, amount, check, ensure, length, refraction, unit};
-pub(super) use number::{color, direction, point};
+#[cfg(feature = "nff")]
+pub(super) use number::{direction, point};
 
 impl Scene<'_, f32> {
     /// Checks every number of the scene, in constant evaluation if asked there.
