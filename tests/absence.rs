@@ -1,5 +1,5 @@
-//! An effect that a scene does not use is not in the binary: programs that render a scene with each effect and one
-//! without it are compiled, and looked into.
+//! An effect that a scene does not use is not in the binary, and nothing in it can panic: programs that render a scene
+//! with each effect and one without it are compiled, and looked into.
 #![allow(missing_docs, clippy::unwrap_used)]
 
 #[path = "../examples/effects/scenes.rs"]
@@ -42,7 +42,7 @@ fn every_effect_has_a_pair() {
 }
 
 #[test]
-fn unused_effects_are_not_compiled() {
+fn unused_effects_are_not_compiled_and_nothing_panics() {
     let library = Library::build(&Path::new(env!("CARGO_TARGET_TMPDIR")).join("absence"), None).unwrap();
     let pairs = scenes::pairs!(list);
     let mut names: Vec<&str> = pairs.iter().flat_map(|pair| [pair.with.0, pair.without.0]).collect();
@@ -50,6 +50,9 @@ fn unused_effects_are_not_compiled() {
     names.dedup();
     let probes: HashMap<&str, Probe> =
         names.par_iter().map(|&name| (name, library.probe(name, "2").unwrap())).collect();
+    for (name, probe) in &probes {
+        assert!(!probe.has("core::panicking"), "{name} can panic");
+    }
     for Pair { with: (with, _), without: (without, _), function } in pairs {
         let (more, less) = (&probes[with], &probes[without]);
         println!("{with:16} {:6} bytes, {without:16} {:6}", more.code, less.code);

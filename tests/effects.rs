@@ -129,3 +129,34 @@ fn senseless_numbers_are_refused() {
     );
     assert_eq!(refused(&|scene, _| scene.lights = &NOWHERE), "light 0: towards: expected finite numbers, not all zero");
 }
+
+/// A copy holds every part of every material.
+#[test]
+fn copies_are_complete() {
+    use whit::scene::{Film, Medium, Thickness};
+    use whit::{Fresnel, Interface, Material, Object, Shape};
+    let color = |x: f32| Rgb::new(x, x + 0.01, x + 0.02);
+    let medium = Medium::new(1.1).with_attenuation(color(0.3)).with_priority(7);
+    let gradient = Thickness::Gradient { from: 1.0, to: 2.0, origin: Vec3::new(3.0, 4.0, 5.0), axis: Vec3::splat(0.5) };
+    let radial = Thickness::Radial { from: 6.0, to: 7.0, center: Vec3::new(8.0, 9.0, 10.0), radius: 11.0 };
+    let materials = [
+        Material::transparent(medium).with_film(Film::new(1.2, 250.0)),
+        Material::transparent(Medium::dispersive(color(1.5))).with_film(Film::new(1.3, 0.0).with_thickness(gradient)),
+        Material::conductor(color(0.2), color(3.0)).with_film(Film::new(1.4, 0.0).with_thickness(radial)),
+        Material::matte(color(0.6)).with_shares(0.1, 0.2, 0.3).with_coat(1.6).with_balance(0.4, 0.5),
+        Material::mirror(color(0.7)).with_interface(Interface::Constant {
+            reflected: color(0.1),
+            transmitted: color(0.8),
+            medium,
+        }),
+        Material::metal(color(0.9)).with_highlight(color(0.4), 12),
+    ];
+    let objects =
+        materials.map(|material| Object::new(Shape::sphere(Vec3::new(1.0, 2.0, 3.0), 4.0), material).one_sided());
+    let scene = scenes::SPHERES.with_objects(&objects).with_medium(medium).with_fresnel(Fresnel::Schlick);
+    let copy = SceneBuf::<f32, 6, 2>::from_scene(&scene, |x| x).unwrap();
+    assert_eq!(copy.as_scene(), scene);
+    let wide = SceneBuf::<f64, 6, 2>::from_scene(&scene, f64::from).unwrap();
+    let back = SceneBuf::<f32, 6, 2>::from_scene(&wide.as_scene(), |x| x as f32).unwrap();
+    assert_eq!(back.as_scene(), scene);
+}

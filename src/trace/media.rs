@@ -118,11 +118,11 @@ impl<const MEDIA: usize> Media<MEDIA> {
     fn leave<T: Real>(&mut self, scene: &Scene<'_, T>, number: u16) {
         let itself = self.0.iter().position(|&place| place == number);
         let found = itself.or_else(|| self.0.iter().position(|&place| is_same_mesh(scene, place, number)));
-        if let Some(rest) = found.and_then(|found| self.0.get_mut(found..)) {
-            rest.rotate_left(1);
-            if let Some(last) = rest.last_mut() {
-                *last = FREE;
-            }
+        let Some(found) = found else { return };
+        // From the end on, each place takes what came after it.
+        let mut next = FREE;
+        for (_, place) in self.0.iter_mut().enumerate().rev().take_while(|(i, _)| *i >= found) {
+            core::mem::swap(place, &mut next);
         }
     }
 
