@@ -65,7 +65,7 @@ fn write(page: &Path) -> Result<(), String> {
         Ok((name, [small?, fast?]))
     };
     let probes: HashMap<&str, [Probe; 2]> = names.par_iter().map(probe).collect::<Result<_, String>>()?;
-    if let Some((name, _)) = probes.iter().find(|(_, levels)| levels.iter().any(|probe| probe.has("core::panicking"))) {
+    if let Some((name, _)) = probes.iter().find(|(_, levels)| levels.iter().any(Probe::can_panic)) {
         return Err(format!("the program for {name} can panic"));
     }
     std::fs::write(page, table::page(&rows, &probes)).map_err(|error| format!("{}: {error}", page.display()))?;

@@ -21,7 +21,9 @@ pub struct Probe {
     pub code: u64,
     /// Bytes of a frame of 5 bounces.
     pub frame: u64,
-    /// The names of all functions in it, also of those that became part of others.
+    /// The names of the functions in it and of those that it calls.
+    symbols: String,
+    /// The same, with the names of those that became part of others.
     names: String,
 }
 
@@ -80,10 +82,14 @@ impl Probe {
         {
             names.push_str(&String::from_utf8_lossy(&section.uncompressed_data()?));
         }
-        for symbol in file.symbols() {
-            names.push_str(symbol.name().unwrap_or_default());
-        }
-        Ok(Self { code, frame, names })
+        let symbols: String = file.symbols().filter_map(|symbol| symbol.name().ok()).collect();
+        names.push_str(&symbols);
+        Ok(Self { code, frame, symbols, names })
+    }
+
+    /// Whether there is anything in it that can panic.
+    pub fn can_panic(&self) -> bool {
+        self.symbols.contains("4core9panicking")
     }
 
     /// Whether any code of a function is in it. `module::function` names one of several.
