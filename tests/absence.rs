@@ -63,4 +63,16 @@ fn unused_effects_are_not_compiled_and_nothing_panics() {
             assert!(!less.has(function), "{function} is found in {without}");
         }
     }
+    // Of several ways to compute the same thing, only the one that the scene chooses.
+    for (scene, other_ways) in [
+        ("EXACT", ["schlick_dielectric", "by_table"]),
+        ("SCHLICK", ["fresnel_dielectric", "by_table"]),
+        ("FILM_TABLE", ["by_bands", "by_wavelengths"]),
+        ("FILM_BANDS", ["by_table", "by_wavelengths"]),
+        ("FILM_WAVELENGTHS", ["by_table", "by_bands"]),
+    ] {
+        for way in other_ways {
+            assert!(!probes[scene].has(way), "{way} is found in {scene}");
+        }
+    }
 }

@@ -49,7 +49,7 @@ pub fn fresnel_dielectric<T: Real>(n1: T, n2: T, cosine: T) -> Option<(Polarized
 
 /// Reflectance of a conductor of complex index of refraction η + ik, relative to the medium the light comes from.
 ///
-/// `cosine` is cos θ from 0 to 1. In `f32` the error is below 1e-5 for metals.
+/// `cosine` is cos θ from 0 to 1. In `f32` the error is below 1e-6 for metals.
 ///
 /// The closed form for complex indices (Born and Wolf, "Principles of Optics", 14.2; Hecht, 4.8.1): with
 /// a + ib = √((η + ik)² − sin²θ), R_s = ((a − c)² + b²)/((a + c)² + b²) and

@@ -52,7 +52,7 @@ pub enum Spectrum {
     Bands(&'static [Band]),
     /// A table of how waves of all lengths add up, by the difference of their paths: 1.5 kB of constants, for colours near
     /// those of many samples at the work of a few. It takes the index under the film as constant within each channel,
-    /// while [`Bands`](Self::Bands) follow it from channel to channel; on a metal the two differ by up to 0.04.
+    /// while [`Bands`](Self::Bands) follow it from channel to channel, which can be seen on a metal.
     Table,
 }
 

@@ -38,6 +38,13 @@ use crate::scene::{Effects, Scene, SceneError};
 /// static SCENE: Scene<'static, f32> = Scene::new(CAMERA, Background::Solid(Rgb::grey(0.5)));
 /// static TRACER: Tracer<f32, 0, 5> = Tracer::new(&SCENE);
 /// ```
+///
+/// ```compile_fail,E0080
+/// use whit::{Material, Object, Scene, Shape, Vec3, scenes::SPHERES};
+/// const NOTHING: [Object<'static, f32>; 1] = [Object::new(Shape::sphere(Vec3::ZERO, 1.0), Material::dielectric(0.0))];
+/// const SCENE: Scene<'static, f32> = SPHERES.with_objects(&NOTHING);
+/// let tracer = whit::tracer!(SCENE);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Tracer<'a, T, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize = 0> {
     scene: &'a Scene<'a, T>,

@@ -7,6 +7,9 @@ use std::fmt;
 pub struct Difference {
     /// Root of the mean square over all channels of all pixels.
     pub rmse: f64,
+    /// The same without the pixels that are off by more than 1/255: edges, which `f32` and `f64` see on different sides
+    /// of a pixel's middle.
+    pub rmse_without_edges: f64,
     /// The largest one of any channel; infinite where a value is not a number.
     pub max: f64,
     /// The share of pixels with a channel off by more than 1/255.
@@ -20,9 +23,10 @@ impl Difference {
     /// When the pictures do not have the same number of pixels.
     pub fn between<A: Into<f64> + Copy>(picture: &[[A; 3]], reference: &[[f64; 3]]) -> Self {
         assert_eq!(picture.len(), reference.len(), "pictures of different sizes");
-        let mut difference = Self { rmse: 0.0, max: 0.0, share_over_1_255: 0.0, worst: 0 };
+        let mut difference = Self { rmse: 0.0, rmse_without_edges: 0.0, max: 0.0, share_over_1_255: 0.0, worst: 0 };
         for (i, off) in differences(picture, reference).enumerate() {
-            difference.rmse += off.iter().map(|off| off * off).sum::<f64>();
+            let squares = off.iter().map(|off| off * off).sum::<f64>();
+            difference.rmse += squares;
             let largest = off.iter().copied().fold(0.0, f64::max);
             if largest > difference.max {
                 difference.max = largest;
@@ -30,10 +34,14 @@ impl Difference {
             }
             if largest > 1.0 / 255.0 {
                 difference.share_over_1_255 += 1.0;
+            } else {
+                difference.rmse_without_edges += squares;
             }
         }
         let pixels = reference.len().max(1) as f64;
         difference.rmse = (difference.rmse / (3.0 * pixels)).sqrt();
+        let kept = (pixels - difference.share_over_1_255).max(1.0);
+        difference.rmse_without_edges = (difference.rmse_without_edges / (3.0 * kept)).sqrt();
         difference.share_over_1_255 /= pixels;
         difference
     }
@@ -56,8 +64,9 @@ impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "RMSE {:.3e}, maximum {:.3e} at pixel {}, {:.3} % of the pixels off by more than 1/255",
+            "RMSE {:.3e}, without edges {:.3e}, maximum {:.3e} at pixel {}, {:.3} % of the pixels off by more than 1/255",
             self.rmse,
+            self.rmse_without_edges,
             self.max,
             self.worst,
             100.0 * self.share_over_1_255

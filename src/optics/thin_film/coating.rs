@@ -8,8 +8,7 @@ use crate::optics::spectrum::{Band, MEAN_WAVELENGTHS, WAVELENGTHS, coherence};
 /// A film of one index of refraction on a base.
 ///
 /// Its reflectance is linear Rec. 709 of unpolarised light, with equal energy as white, and comes unclipped:
-/// a saturated colour lies outside of the primaries and has a channel below 0 or above 1, by at most 0.12 in 10⁵ films
-/// tried. What only depends on the angle is computed once, also for the base when it is the same in all channels.
+/// a saturated colour lies outside of the primaries and has a channel a little below 0 or above 1. What only depends on the angle is computed once, also for the base when it is the same in all channels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coating<T> {
     /// Index of refraction of the medium that the light comes from.
