@@ -90,7 +90,7 @@ pub mod render;
 pub mod scene;
 pub mod trace;
 
-pub use intersect::Ray;
+pub use intersect::{Intersection, Ray};
 pub use math::{Real, Rgb, Vec3};
 pub use render::{Frame, Framebuffer, Settings};
 pub use scene::{

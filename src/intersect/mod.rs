@@ -1,8 +1,8 @@
 //! Rays against shapes: contacts, error-bounded surface points, and the search through all objects.
 
 mod axis_box;
-
 mod cone;
+mod intersection;
 mod plane;
 mod ray;
 mod search;
@@ -11,6 +11,7 @@ mod spheres;
 mod surface;
 mod triangle;
 
+pub use intersection::Intersection;
 pub(crate) use ray::Contact;
 pub use ray::Ray;
 pub(crate) use search::{Hit, encloses, nearest, occluded};

@@ -9,7 +9,7 @@ use crate::scene::{Effects, Object, Shadow, Shape, Sides};
 pub(crate) struct Hit<'a, T> {
     pub object: &'a Object<'a, T>,
     /// Which primitive of the object's slice, if its shape is one.
-    primitive: usize,
+    pub primitive: usize,
     pub contact: Contact<T>,
 }
 

@@ -3,8 +3,9 @@
 use core::fmt;
 
 use super::{Budget, Context, Observer, RayTree, Samples, Sequence};
-use crate::intersect::Ray;
+use crate::intersect::{Intersection, Ray};
 use crate::math::{Real, Rgb};
+use crate::path::next_surface;
 use crate::scene::{Effects, Scene, SceneError};
 
 /// A scene, to be traced by code for the effects `EFFECTS` ([`Effects::bits`]), with a stack for `DEPTH` branches
@@ -148,6 +149,22 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tr
     #[must_use]
     pub const fn scene(&self) -> &'a Scene<'a, T> {
         self.scene
+    }
+
+    /// The first surface that a ray meets, whose direction must have length 1; `None` where it meets nothing.
+    ///
+    /// ```
+    /// use whit::{Ray, Vec3, scenes::SPHERES};
+    /// let camera = SPHERES.camera;
+    /// let ray = Ray { origin: camera.eye, direction: (camera.target - camera.eye).normalized() };
+    /// let under_the_middle = whit::tracer!(SPHERES).intersect(&ray).unwrap();
+    /// println!("object {}, {} away", under_the_middle.object, under_the_middle.distance);
+    /// ```
+    #[must_use]
+    pub fn intersect(&self, ray: &Ray<T>) -> Option<Intersection<T>> {
+        let hit = next_surface::<T, EFFECTS>(self.scene, ray)?;
+        let object = self.scene.objects.iter().position(|object| core::ptr::eq(object, hit.object))?;
+        Some(Intersection::new::<EFFECTS>(&hit, object, ray))
     }
 
     /// The light that comes back along one ray, whose direction must have length 1. Lights with an area are sampled at
