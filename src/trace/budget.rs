@@ -10,7 +10,8 @@ pub struct Budget<T> {
     /// A branch is cut when the largest channel of its throughput is below this; 0 cuts nothing.
     pub cutoff: T,
     /// The number of rays, shadow rays included, that a pixel may take, shared evenly by its samples. A branch starts
-    /// only if the rest pays for it and for a shadow ray to each light.
+    /// only if the rest pays for it and for a shadow ray to each light. Each surface that a ray goes straight through
+    /// counts as one more; a shadow ray that cannot pay for one ends there, in the dark.
     pub rays_per_pixel: u32,
     /// What a branch that is cut contributes.
     pub termination: Termination<T>,

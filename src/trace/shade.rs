@@ -2,7 +2,7 @@
 
 use super::illumination::illuminate;
 use super::media::Media;
-use super::shadow::light_share;
+use super::shadow::{Share, light_share};
 use super::{Branch, Observer, RayKind, Sequence};
 use crate::intersect::Surface;
 use crate::math::{Real, Rgb, Vec3};
@@ -88,6 +88,9 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
     }
 
     /// Looks at the lights, one shadow ray each, until all are done or `rays` is used up; `true` when all are done.
+    ///
+    /// `rays_left` is what is left of the budget. It pays for a shadow ray to each light; what it has beyond that pays for
+    /// the surfaces that shadow rays go straight through.
     #[inline(always)]
     pub(crate) fn advance<const EFFECTS: u64, O: Observer>(
         &mut self,
@@ -95,6 +98,7 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
         samples: &Samples,
         gathered: &mut Rgb<T>,
         rays: &mut u32,
+        rays_left: &mut u32,
         observer: &mut O,
     ) -> bool {
         while let Some(light) = scene.lights.get(self.light) {
@@ -108,10 +112,14 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
                     if *rays == 0 {
                         return false;
                     }
-                    *rays -= 1;
                     observer.ray(RayKind::Shadow);
-                    let share = light_share::<T, EFFECTS, MEDIA, O>(scene, &self.media, &arriving, rays, observer);
-                    if let Some(share) = share {
+                    let lights_left = scene.lights.len().saturating_sub(self.light) as u32;
+                    let most = rays_left.saturating_sub(lights_left);
+                    let Share { light, passed } =
+                        light_share::<T, EFFECTS, MEDIA, O>(scene, &self.media, &arriving, most, observer);
+                    *rays = rays.saturating_sub(1 + passed);
+                    *rays_left = rays_left.saturating_sub(1 + passed);
+                    if let Some(share) = light {
                         *gathered += self.throughput * sent * share;
                     }
                 }

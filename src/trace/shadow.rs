@@ -7,36 +7,47 @@ use crate::math::{Real, Rgb};
 use crate::path::{is_lit, next_tinted_surface};
 use crate::scene::{Effects, Scene, Shadow};
 
-/// The share of arriving light that reaches a point inside `media`; `None` when it is in a shadow.
+/// How much of a light's light gets to a point.
+pub(super) struct Share<T> {
+    /// `None` when the point is in a shadow.
+    pub light: Option<Rgb<T>>,
+    /// Surfaces that the light went straight through on the way.
+    pub passed: u32,
+}
+
+/// The share of arriving light that reaches a point inside `media`.
 ///
 /// What casts a full shadow stops it. Media attenuate it: those of objects with a tinted shadow, which it goes through
-/// in a straight line, and the scene's between them. Each surface on the way uses up a ray of `rays`.
+/// in a straight line, and the scene's between them. It goes through no more surfaces than `most` and [`MOST_PASSED`].
 pub(super) fn light_share<T: Real, const EFFECTS: u64, const MEDIA: usize, O: Observer>(
     scene: &Scene<'_, T>,
     media: &Media<MEDIA>,
     arriving: &Illumination<T>,
-    rays: &mut u32,
+    most: u32,
     observer: &mut O,
-) -> Option<Rgb<T>> {
+) -> Share<T> {
     let effects = const { Effects::from_bits(EFFECTS) };
+    let straight = |light| Share { light, passed: 0 };
     let &Illumination { ray, distance, .. } = arriving;
     if !is_lit::<T, EFFECTS>(scene, &ray, distance) {
-        return None;
+        return straight(None);
     }
     if !effects.has(Effects::ATTENUATION) {
-        return Some(Rgb::WHITE);
+        return straight(Some(Rgb::WHITE));
     }
     let mut media = media.filtered(scene, |object| object.shadow == Shadow::Tinted);
     if !effects.has(Effects::TINTED_SHADOW) {
-        return Some(media.transmittance(scene, distance));
+        return straight(Some(media.transmittance(scene, distance)));
     }
-    let (mut ray, mut left, mut share) = (ray, distance, Rgb::WHITE);
-    for _ in 0..MOST_PASSED {
-        let Some(hit) = next_tinted_surface::<T, EFFECTS>(scene, &ray, left) else {
-            return Some(share * media.transmittance(scene, left));
-        };
+    let (mut ray, mut left, mut share, mut passed) = (ray, distance, Rgb::WHITE, 0);
+    while let Some(hit) = next_tinted_surface::<T, EFFECTS>(scene, &ray, left) {
+        if passed == most.min(MOST_PASSED.into()) {
+            let reason = if passed == most { Cut::Rays } else { Cut::Passed };
+            observer.cut(reason, share.map(T::to_f32));
+            return Share { light: None, passed };
+        }
+        passed += 1;
         share = share * media.transmittance(scene, hit.contact.t);
-        *rays = rays.saturating_sub(1);
         left = (left - hit.contact.t).max(T::ZERO);
         let (behind, overflow) = media.behind(scene, &hit);
         if overflow {
@@ -45,6 +56,5 @@ pub(super) fn light_share<T: Real, const EFFECTS: u64, const MEDIA: usize, O: Ob
         media = behind;
         ray = hit.surface::<EFFECTS>(&ray).leave(ray.direction, !hit.contact.front());
     }
-    observer.cut(Cut::Passed, share.map(T::to_f32));
-    None
+    Share { light: Some(share * media.transmittance(scene, left)), passed }
 }

@@ -139,9 +139,8 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         observer: &mut O,
     ) -> bool {
         let Some(mut shading) = self.shading.take() else { return true };
-        let before = *rays;
-        let done = shading.advance::<EFFECTS, O>(context.scene, &context.samples, &mut self.gathered, rays, observer);
-        self.rays_left = self.rays_left.saturating_sub(before - *rays);
+        let (gathered, rays_left) = (&mut self.gathered, &mut self.rays_left);
+        let done = shading.advance::<EFFECTS, O>(context.scene, &context.samples, gathered, rays, rays_left, observer);
         if !done {
             self.shading = Some(shading);
         }
