@@ -142,7 +142,7 @@ impl<'r, T: Real, const EFFECTS: u64> Search<'r, T, EFFECTS> {
     }
 
     /// The contact with an object that is one primitive.
-    #[inline]
+    #[inline(always)]
     fn single(&self, object: &Object<'_, T>, limit: T) -> Option<Contact<T>> {
         let (ray, outside_only) = (self.ray, Self::outside_only(object));
         match &object.shape {

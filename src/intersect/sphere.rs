@@ -1,44 +1,118 @@
 //! Ray against sphere.
 
-use super::{Contact, Ray, Surface, ray::first};
-use crate::math::Real;
+use super::{Contact, Ray, Surface, ray};
+use crate::math::{Real, Vec3, sum_and_error};
 use crate::scene::Sphere;
 
 /// The first visible contact nearer than `limit`.
 ///
 /// The discriminant is r² less the square of the distance between the centre and the ray, taken perpendicular to the
-/// ray, which keeps its digits for small spheres far away; the nearer root comes from the product of the roots, which
-/// keeps its digits for origins near the surface (Haines, Günther and Akenine-Möller, "Precision Improvements for
-/// Ray/Sphere Intersection", Ray Tracing Gems, 2019).
-#[inline]
+/// ray, which keeps its digits for small spheres far away; one root comes from the product of the two, which keeps its
+/// digits for origins near the surface (Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere
+/// Intersection", Ray Tracing Gems, 2019). The contact lies on a sphere whose radius differs by no more than 8 roundings
+/// of the distance from the origin to the centre.
+///
+/// Where the origin is so near the surface that the product of the roots loses its digits, as above a ground as large
+/// as a planet, [`near_surface`] works them out anew.
+#[inline(always)]
 pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let f = ray.origin - sphere.center;
     let b = -f.dot(ray.direction);
     let square = sphere.radius * sphere.radius;
+    let c = f.length_squared() - square;
+    if c < square * T::from_f32(1.0 / 256.0) {
+        return near_or_inside(sphere, ray, limit, outside_only);
+    }
+    if b <= T::ZERO {
+        return None;
+    }
     let discriminant = square - (f + ray.direction * b).length_squared();
     if discriminant < T::ZERO {
         return None;
     }
-    let c = f.length_squared() - square;
+    let far = b + discriminant.sqrt();
+    first((c / far, far), sphere, limit, outside_only)
+}
+
+/// The contact for an origin near the surface or inside.
+#[inline(never)]
+fn near_or_inside<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
+    let f = ray.origin - sphere.center;
+    let b = -f.dot(ray.direction);
+    let square = sphere.radius * sphere.radius;
+    let mut c = f.length_squared() - square;
+    let doubt = square * (T::from_f32(16.0) * T::ROUNDOFF);
+    let discriminant = if c < -doubt {
+        square - (f + ray.direction * b).length_squared()
+    } else {
+        if b <= T::ZERO && c > doubt {
+            return None;
+        }
+        c = level(sphere, ray.origin);
+        b * b - c
+    };
+    if discriminant < T::ZERO {
+        return None;
+    }
     let root = discriminant.sqrt();
-    let (near, far) = if b < T::ZERO {
+    let roots = if b < T::ZERO {
         let near = b - root;
         (near, c / near)
     } else {
         let far = b + root;
         (if far > T::ZERO { c / far } else { far }, far)
     };
+    first(roots, sphere, limit, outside_only)
+}
+
+/// Of the two roots, the first that is a visible contact nearer than `limit`.
+#[inline(always)]
+fn first<T: Real>((near, far): (T, T), sphere: &Sphere<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let solid = sphere.radius > T::ZERO;
-    first([Contact::new(near, solid, 0), Contact::new(far, !solid, 0)], limit, outside_only)
+    ray::first([Contact::new(near, solid, 0), Contact::new(far, !solid, 0)], limit, outside_only)
+}
+
+/// |point − centre|² − r², worked out in twice the digits: what cancels is exact.
+fn level<T: Real>(sphere: &Sphere<T>, point: Vec3<T>) -> T {
+    let square = |x: T| (x * x, x.product_error(x, x * x));
+    let (sum, error) = square(sphere.radius);
+    let (mut sum, mut errors) = (-sum, -error);
+    for (p, c) in [(point.x, sphere.center.x), (point.y, sphere.center.y), (point.z, sphere.center.z)] {
+        let (difference, rest) = sum_and_error(p, -c);
+        let (term, error) = square(difference);
+        let (next, lost) = sum_and_error(sum, term);
+        sum = next;
+        errors += lost + error + T::TWO * difference * rest;
+    }
+    sum + errors
 }
 
 /// The surface at a contact. The point is moved onto the sphere, so its error does not grow with the distance.
 #[inline(always)]
 pub(crate) fn surface<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
-    let outward = (ray.at(contact.t) - sphere.center).normalized();
+    let outward = ((ray.origin - sphere.center) + ray.direction * contact.t).normalized();
     let local = outward * sphere.radius.abs();
     let normal = if sphere.radius > T::ZERO { outward } else { -outward };
+    let point = sphere.center + local;
+    let largest = point.x.abs().max(point.y.abs()).max(point.z.abs());
+    if largest + largest < sphere.radius.abs() {
+        return settle(sphere, ray.at(contact.t), normal);
+    }
     // The direction is good to 4 roundings, its product with r to 5; 8 leave room for the discriminant's own.
     let error = local.abs() * (T::from_f32(8.0) * T::ROUNDOFF);
-    Surface::new(sphere.center + local, normal, error)
+    Surface::new(point, normal, error)
+}
+
+/// The surface of a sphere that is larger than the coordinates of the point, which are then known better than the
+/// radius: the point is moved along the normal by its level, good to 4 roundings of the point and to 16 of the radius
+/// in twice the digits.
+#[cold]
+#[inline(never)]
+fn settle<T: Real>(sphere: &Sphere<T>, point: Vec3<T>, normal: Vec3<T>) -> Surface<T> {
+    let height = level(sphere, point) / ((point - sphere.center).length() + sphere.radius.abs());
+    let outward = if sphere.radius > T::ZERO { normal } else { -normal };
+    let point = point - outward * height;
+    let rest = T::from_f32(16.0) * T::ROUNDOFF * T::ROUNDOFF * sphere.radius.abs();
+    let error = point.abs() * (T::from_f32(4.0) * T::ROUNDOFF) + Vec3::splat(rest);
+    Surface::new(point, normal, error)
 }

@@ -2,6 +2,7 @@
 
 mod complex;
 mod exact_product;
+mod exact_sum;
 mod real;
 mod rgb;
 mod square_root;
@@ -9,6 +10,7 @@ mod trigonometry;
 mod vec3;
 
 pub use complex::Complex;
+pub(crate) use exact_sum::sum_and_error;
 pub use real::Real;
 pub use rgb::Rgb;
 pub(crate) use trigonometry::sin_cos_constant;
