@@ -107,7 +107,8 @@ pub(crate) fn surface<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T
     let axis = Axis::new(cone);
     let (height, across) = axis.split(ray.at(contact.t) - cone.base);
     let radius = cone.base_radius.abs() + axis.slope * height;
-    let outward = across.normalized();
+    // A side far thinner than a rounding of its distance is met on its axis.
+    let outward = across.normalized_or(-ray.direction);
     let point = cone.base + axis.unit * height + outward * radius;
     let normal = (outward - axis.unit * axis.slope).normalized();
     let solid = cone.base_radius > T::ZERO || cone.apex_radius > T::ZERO;

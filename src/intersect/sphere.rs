@@ -90,9 +90,12 @@ fn level<T: Real>(sphere: &Sphere<T>, point: Vec3<T>) -> T {
 /// The surface at a contact. The point is moved onto the sphere, so its error does not grow with the distance.
 #[inline(always)]
 pub(crate) fn surface<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
-    let outward = ((ray.origin - sphere.center) + ray.direction * contact.t).normalized();
+    let solid = sphere.radius > T::ZERO;
+    // A sphere far smaller than a rounding of its distance is met in its centre.
+    let facing = if contact.front() == solid { -ray.direction } else { ray.direction };
+    let outward = ((ray.origin - sphere.center) + ray.direction * contact.t).normalized_or(facing);
     let local = outward * sphere.radius.abs();
-    let normal = if sphere.radius > T::ZERO { outward } else { -outward };
+    let normal = if solid { outward } else { -outward };
     let point = sphere.center + local;
     let largest = point.x.abs().max(point.y.abs()).max(point.z.abs());
     if largest + largest < sphere.radius.abs() {

@@ -75,8 +75,14 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn normalized(self) -> Self {
+        self.normalized_or(Self::ZERO)
+    }
+
+    /// v/|v|, or `other` where |v|² is zero.
+    #[inline]
+    pub(crate) fn normalized_or(self, other: Self) -> Self {
         let square = self.length_squared();
-        if square > T::ZERO { self * (T::ONE / square.sqrt()) } else { Self::ZERO }
+        if square > T::ZERO { self * (T::ONE / square.sqrt()) } else { other }
     }
 
     /// The vector of absolute values.

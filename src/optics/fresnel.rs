@@ -65,8 +65,13 @@ pub fn fresnel_conductor<T: Real>(index: T, extinction: T, cosine: T) -> Polariz
     let larger = ((length + real.abs()) * T::HALF).sqrt();
     let smaller = if larger > T::ZERO { half_imaginary / larger } else { T::ZERO };
     let (a, b) = if real > T::ZERO { (larger, smaller) } else { (smaller, larger) };
-    let share = |less: T, more: T| (less * less + b * b) / (more * more + b * b);
-    let s = share(a - cosine, a + cosine);
+    let (less, more) = (a - cosine, a + cosine);
+    let whole = more * more + b * b;
+    if whole == T::ZERO {
+        // Along an interface between equal media.
+        return Polarized { s: T::ZERO, p: T::ZERO };
+    }
+    let s = (less * less + b * b) / whole;
     // Multiplied by cos θ, so that nothing is divided by it.
     let (ac, bc) = (a * cosine, b * cosine);
     let (less, more) = (ac - sine_squared, ac + sine_squared);

@@ -9,7 +9,9 @@ pub(super) fn background<T: Real, const EFFECTS: u64>(scene: &Scene<'_, T>, dire
     match scene.background {
         Background::Solid(color) => color,
         Background::Gradient { below, above, up } if effects.has(Effects::BACKGROUND_GRADIENT) => {
-            below.mix(above, (T::ONE + direction.dot(up)) * T::HALF)
+            // Both are unit vectors but for their rounding, which must not make negative light.
+            let height = (T::ONE + direction.dot(up)) * T::HALF;
+            below.mix(above, height.max(T::ZERO).min(T::ONE))
         }
         Background::Sky { horizon, up } if effects.has(Effects::SKY) => horizon * (T::ONE - direction.dot(up)).powi(4),
         _ => Rgb::BLACK,
