@@ -44,7 +44,8 @@ pub fn fresnel_dielectric<T: Real>(n1: T, n2: T, cosine: T) -> Option<(Polarized
     }
     let (s, dense) = (m / (sum * sum), n * n * cosine);
     let p = (dense - g) / (dense + g);
-    Some((Polarized { s: s * s, p: p * p }, g / n))
+    // Along the interface both squares are 1, and rounding must not take them past it.
+    Some((Polarized { s: (s * s).min(T::ONE), p: (p * p).min(T::ONE) }, g / n))
 }
 
 /// Reflectance of a conductor of complex index of refraction η + ik, relative to the medium the light comes from.
