@@ -36,12 +36,12 @@ impl<T: Real> Polarized<T> {
 pub fn fresnel_dielectric<T: Real>(n1: T, n2: T, cosine: T) -> Option<(Polarized<T>, T)> {
     let n = n2 / n1;
     let m = (n - T::ONE) * (n + T::ONE);
+    if m == T::ZERO {
+        // Between equal media nothing is reflected and nothing bent, not even along the interface.
+        return Some((Polarized { s: T::ZERO, p: T::ZERO }, cosine));
+    }
     let g = normal_part(n, m, cosine)?;
     let sum = cosine + g;
-    if sum == T::ZERO {
-        // Along an interface between equal media.
-        return Some((Polarized { s: T::ZERO, p: T::ZERO }, T::ZERO));
-    }
     let (s, dense) = (m / (sum * sum), n * n * cosine);
     let p = (dense - g) / (dense + g);
     // Along the interface both squares are 1, and rounding must not take them past it.

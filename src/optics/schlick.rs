@@ -27,6 +27,10 @@ pub fn schlick<T: Real>(r0: T, cosine: T) -> T {
 #[inline]
 #[must_use]
 pub fn schlick_dielectric<T: Real>(n1: T, n2: T, cosine: T) -> Option<(T, T)> {
+    if n1 == n2 {
+        // The approximation would reflect along the interface.
+        return Some((T::ZERO, cosine));
+    }
     let transmitted = transmitted_cosine(n1, n2, cosine)?;
     let r0 = normal_reflectance(n1, n2);
     Some((schlick(r0, if n1 > n2 { transmitted } else { cosine }), transmitted))
