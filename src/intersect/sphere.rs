@@ -99,7 +99,9 @@ pub(crate) fn surface<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Conta
     let point = sphere.center + local;
     let largest = point.x.abs().max(point.y.abs()).max(point.z.abs());
     if largest + largest < sphere.radius.abs() {
-        return settle(sphere, ray.at(contact.t), normal);
+        // Where the way is shorter than the radius, the ray tells better where along the surface the point is.
+        let point = if contact.t < sphere.radius.abs() { ray.at(contact.t) } else { point };
+        return settle(sphere, point, normal);
     }
     // The direction is good to 4 roundings, its product with r to 5; 8 leave room for the discriminant's own.
     let error = local.abs() * (T::from_f32(8.0) * T::ROUNDOFF);

@@ -35,6 +35,8 @@ pub trait Real:
     const TWO: Self;
     /// The largest finite value: the length of a ray that nothing stops.
     const MAX: Self;
+    /// The smallest positive number with all digits.
+    const SMALLEST: Self;
     /// The unit roundoff u: the largest relative error of one correctly rounded operation (2⁻²⁴ for `f32`).
     const ROUNDOFF: Self;
 
@@ -97,6 +99,7 @@ impl Real for f32 {
     const ONE: Self = 1.0;
     const TWO: Self = 2.0;
     const MAX: Self = f32::MAX;
+    const SMALLEST: Self = f32::MIN_POSITIVE;
     const ROUNDOFF: Self = f32::EPSILON / 2.0;
 
     #[inline]
@@ -142,6 +145,7 @@ impl Real for f64 {
     const ONE: Self = 1.0;
     const TWO: Self = 2.0;
     const MAX: Self = f64::MAX;
+    const SMALLEST: Self = f64::MIN_POSITIVE;
     const ROUNDOFF: Self = f64::EPSILON / 2.0;
 
     #[inline]

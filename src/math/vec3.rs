@@ -71,18 +71,18 @@ impl<T: Real> Vec3<T> {
         self.length_squared().sqrt()
     }
 
-    /// v/|v|, or the zero vector where |v|² is zero.
+    /// v/|v|, or the zero vector where |v|² is zero or too small for the number type to hold it with all its digits.
     #[inline]
     #[must_use]
     pub fn normalized(self) -> Self {
         self.normalized_or(Self::ZERO)
     }
 
-    /// v/|v|, or `other` where |v|² is zero.
+    /// v/|v|, or `other` where |v|² is zero or has lost digits to underflow.
     #[inline]
     pub(crate) fn normalized_or(self, other: Self) -> Self {
         let square = self.length_squared();
-        if square > T::ZERO { self * (T::ONE / square.sqrt()) } else { other }
+        if square >= T::SMALLEST { self * (T::ONE / square.sqrt()) } else { other }
     }
 
     /// The vector of absolute values.

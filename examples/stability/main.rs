@@ -1,0 +1,4 @@
+//! tmp
+mod leaving;
+mod naive;
+fn main() {}
