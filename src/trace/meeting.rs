@@ -25,7 +25,7 @@ type Child<T, const MEDIA: usize> = Option<Branch<T, MEDIA>>;
 impl<T: Real, const MEDIA: usize> Meeting<'_, T, MEDIA> {
     /// Where light goes that has only this channel, or all of them.
     pub(super) fn split<const EFFECTS: u64>(&self, channel: Option<Channel>) -> Split<T> {
-        let facing = Facing::new(self.surface, self.front, self.branch.ray.direction);
+        let facing = Facing::new(self.surface, self.front, self.branch.ray.direction, self.branch.depth);
         let n1 = self.border.before.at(channel);
         let n2 = self.border.behind.map_or(n1, |behind| behind.at(channel));
         facing.split::<EFFECTS>(&self.material.interface, self.fresnel, n1, n2)
