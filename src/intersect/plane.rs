@@ -25,10 +25,12 @@ pub(crate) fn surface<T: Real>(plane: &Plane<T>, ray: &Ray<T>, contact: &Contact
 }
 
 /// A point moved onto the plane through `anchor`. The difference to the anchor, its product with the normal and the
-/// move are good to about 4 roundings of the larger of the two vectors; 8 are taken.
+/// move are good to about 4 roundings of the larger of the two vectors, and the length of the normal to 4 of the move; 8
+/// are taken.
 pub(crate) fn flat_surface<T: Real>(point: Vec3<T>, anchor: Vec3<T>, normal: Vec3<T>) -> Surface<T> {
-    let point = point - normal * (point - anchor).dot(normal);
-    let error = (point.abs() + anchor.abs()) * (T::from_f32(8.0) * T::ROUNDOFF);
+    let height = normal * (point - anchor).dot(normal);
+    let point = point - height;
+    let error = (point.abs() + anchor.abs() + height.abs()) * (T::from_f32(8.0) * T::ROUNDOFF);
     Surface::new(point, normal, error)
 }
 

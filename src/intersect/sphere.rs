@@ -1,7 +1,7 @@
 //! Ray against sphere.
 
 use super::{Contact, Ray, Surface, ray};
-use crate::math::{Real, Vec3, sum_and_error};
+use crate::math::{Real, Twofold, Vec3};
 use crate::scene::Sphere;
 
 /// The first visible contact nearer than `limit`.
@@ -72,19 +72,11 @@ fn first<T: Real>((near, far): (T, T), sphere: &Sphere<T>, limit: T, outside_onl
     ray::first([Contact::new(near, solid, 0), Contact::new(far, !solid, 0)], limit, outside_only)
 }
 
-/// |point − centre|² − r², worked out in twice the digits: what cancels is exact.
+/// |point − centre|² − r², worked out in twice the digits.
 fn level<T: Real>(sphere: &Sphere<T>, point: Vec3<T>) -> T {
-    let square = |x: T| (x * x, x.product_error(x, x * x));
-    let (sum, error) = square(sphere.radius);
-    let (mut sum, mut errors) = (-sum, -error);
-    for (p, c) in [(point.x, sphere.center.x), (point.y, sphere.center.y), (point.z, sphere.center.z)] {
-        let (difference, rest) = sum_and_error(p, -c);
-        let (term, error) = square(difference);
-        let (next, lost) = sum_and_error(sum, term);
-        sum = next;
-        errors += lost + error + T::TWO * difference * rest;
-    }
-    sum + errors
+    let from_center = point.exact_difference(sphere.center);
+    let radius = Twofold::difference(sphere.radius, T::ZERO);
+    (from_center.twofold_dot(from_center) - radius * radius).rounded()
 }
 
 /// The surface at a contact. The point is moved onto the sphere, so its error does not grow with the distance.
