@@ -85,6 +85,6 @@ impl<T: Real> Accumulator<T> {
     /// The mean of the samples.
     #[inline]
     pub(crate) fn mean(&self) -> Rgb<T> {
-        self.sum * (T::ONE / T::from_u32(self.count.max(1)))
+        (self.sum * (T::ONE / T::from_u32(self.count.max(1)))).min(Rgb::grey(T::MAX))
     }
 }

@@ -107,7 +107,9 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
                 samples.point(Sequence::light(u32::from(self.depth), self.light as u32, count))
             };
             if let Some(arriving) = illuminate::<T, EFFECTS>(light, self.origin, sample) {
+                // Huge lights may overflow, and what nothing of them gets through must still be black.
                 let sent = arriving.color * self.response::<EFFECTS>(arriving.ray.direction);
+                let sent = sent.min(Rgb::grey(T::MAX));
                 if sent.max_channel() > T::ZERO {
                     if *rays == 0 {
                         return false;
@@ -120,7 +122,7 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
                     *rays = rays.saturating_sub(1 + passed);
                     *rays_left = rays_left.saturating_sub(1 + passed);
                     if let Some(share) = light {
-                        *gathered += self.throughput * sent * share;
+                        *gathered += self.throughput * (sent * share);
                     }
                 }
             }
