@@ -20,7 +20,7 @@ pub struct Failures {
     pub leaks: u32,
     /// Rays that left a sphere towards its neighbour, a gap of 32 roundings of its radius away.
     pub towards_neighbor: u32,
-    /// Of those, the ones whose origin was inside of the neighbour.
+    /// Of those, the ones whose origin was inside of the neighbour or beyond.
     pub jumps: u32,
     /// Where a sphere rests on a plane: how far from the contact the first point in its shadow is, in radii.
     pub contact_gap: f32,
@@ -103,29 +103,32 @@ fn enter_a_slab(failures: &mut Failures, origin: Origin, scale: f32, rays: u32, 
             let inside = tracer.intersect(&next).is_some_and(|hit| !hit.from_outside && hit.normal.y < 0.5);
             // Near an edge, or along the slab, a ray leaves by another face.
             let reach = next.direction * (scale * 1e-4 / next.direction.y.abs());
-            let edge = next.origin - corner + reach;
+            let edge = hit.point - corner + reach;
             let by_the_other_face = [edge.x, edge.z].iter().all(|x| (scale * 0.001..scale * 0.999).contains(x));
             failures.leaks += u32::from(!inside && by_the_other_face);
         }
     });
 }
 
-/// Rays that meet a sphere nearest to its neighbour. Whether the origin of the next is inside of that is worked out
-/// in `f64`.
+/// Rays that meet a sphere nearest to its neighbour, one beside it or one inside of it. Whether the origin of the next is
+/// inside of that is worked out in `f64`.
 fn approach_a_neighbor(failures: &mut Failures, origin: Origin, scale: f32, rays: u32, random: &mut fastrand::Rng) {
-    let center = Vec3::ZERO;
-    let neighbor = Vec3::new(scale * (2.0 + 32.0 * f32::EPSILON / 2.0), 0.0, 0.0);
-    with_tracer(&[Shape::sphere(center, scale)], |tracer| {
-        for _ in 0..rays {
+    let gap = 32.0 * f32::EPSILON / 2.0;
+    let beside = (Vec3::new(scale * (2.0 + gap), 0.0, 0.0), scale);
+    let inside = (Vec3::new(scale * (0.5 - gap), 0.0, 0.0), scale * 0.5);
+    with_tracer(&[Shape::sphere(Vec3::ZERO, scale)], |tracer| {
+        for i in 0..rays {
+            let (neighbor, side) = if i % 2 == 0 { (beside, 1.0) } else { (inside, -1.0) };
             let away = unit_vector(random) * (scale * 1e-4 * random.f32());
+            let from =
+                Vec3::new(scale, away.y, away.z) + Vec3::new(0.1 * side, random.f32(), -random.f32()) * scale * 0.3;
             let target = Vec3::new(scale, away.y, away.z);
-            let from = Vec3::new(scale, away.y + scale * random.f32(), away.z - scale * random.f32());
-            let ray = Ray { origin: from, direction: (target * 0.9999 - from).normalized() };
-            let Some(hit) = tracer.intersect(&ray) else { continue };
-            let next = origin.leave(&ray, &hit, hit.normal);
-            let distance = distance(next.origin, neighbor);
+            let ray = Ray { origin: from, direction: (target - from).normalized() };
+            let Some(hit) = tracer.intersect(&ray).filter(|hit| hit.from_outside == (side > 0.0)) else { continue };
+            let next = origin.leave(&ray, &hit, hit.normal * side);
+            let is_beyond = (next.origin.x - neighbor.0.x) * side > 0.0;
             failures.towards_neighbor += 1;
-            failures.jumps += u32::from(distance < f64::from(scale));
+            failures.jumps += u32::from(distance(next.origin, neighbor.0) < f64::from(neighbor.1) || is_beyond);
         }
     });
 }

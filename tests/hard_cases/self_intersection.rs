@@ -32,7 +32,7 @@ fn error_bounds_hold() {
     for (scale, failures) in at_all_scales(Origin::ErrorBound, 300_000) {
         println!("{scale:e}: {failures:?}");
         let Failures { rays, self_hits, entered, leaks, towards_neighbor, jumps, contact_gap } = failures;
-        assert!(rays > 250_000 && entered > 250_000 && towards_neighbor > 250_000, "{scale:e}");
+        assert!(rays > 250_000 && entered > 250_000 && towards_neighbor > 200_000, "{scale:e}");
         assert_eq!((self_hits, leaks, jumps), (0, 0, 0), "{scale:e}");
         // A 500th of the radius is less than a pixel where the sphere fills a picture.
         assert!(contact_gap < 0.002, "{scale:e}: {contact_gap}");

@@ -1,0 +1,31 @@
+//! The sections of the page, one a case.
+
+mod cancellation;
+mod scale;
+mod self_intersection;
+
+use super::page::Page;
+
+const HEAD: &str = "
+# Hard cases
+
+Scenes and rays that break ray tracers: what goes wrong in a naive form, what whit does instead, and the bound that it
+meets. The naive forms are in [`examples/stability/naive`](../examples/stability/naive); the tests in
+[`tests/hard_cases`](../tests/hard_cases) show that they fail and that the library does not:
+
+    cargo test --test hard_cases
+
+This page and its pictures, naive on the left and whit on the right, are written by
+
+    cargo run --release --example stability
+
+u is the unit roundoff, 2⁻²⁴ for `f32`: the largest relative error of one operation. All of this is in `f32`.
+";
+
+/// Writes all of them.
+pub fn write(page: &mut Page) -> Result<(), String> {
+    page.text(HEAD);
+    scale::write(page)?;
+    cancellation::write(page)?;
+    self_intersection::write(page)
+}
