@@ -67,29 +67,34 @@ fn cross<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>, shear: &Shear<T>) -> Op
     if sum == T::ZERO {
         return None;
     }
-    let mut t = (u * a.z + v * b.z + w * c.z) / sum;
-    let weights = [u, v, w];
+    let t = (u * a.z + v * b.z + w * c.z) / sum;
+    let mut crossing = Crossing { weights: [u, v, w], sum, t };
     // Where all corners lie in front of the origin, so does the crossing.
     let is_ahead = a.z > T::ZERO && b.z > T::ZERO && c.z > T::ZERO;
-    if !is_ahead && t.abs() <= uncertainty([a, b, c], weights, sum) * T::from_f32(1024.0) {
-        t = shear.z * volume(vertices, ray.origin) / sum;
+    if !is_ahead {
+        crossing.settle([a, b, c], vertices, ray.origin, shear);
     }
-    (t > T::ZERO).then_some(Crossing { weights, sum, t })
+    (crossing.t > T::ZERO).then_some(crossing)
 }
 
-/// Six times the volume between the origin and the triangle, worked out in twice the digits: its sign tells on which
-/// side of the triangle the origin is, so that a ray that leaves a triangle does not meet it again.
-#[cold]
-#[inline(never)]
-fn volume<T: Real>(vertices: &[Vec3<T>; 3], origin: Vec3<T>) -> T {
-    let [a, b, c] = vertices.map(|v| v.exact_difference(origin));
-    a.twofold_dot(c.twofold_cross(b)).rounded()
+impl<T: Real> Crossing<T> {
+    /// Works t out in twice the digits where rounding takes more than a thousandth of it: from six times the volume
+    /// between the origin and the triangle, whose sign tells on which side of the triangle the origin is. So a ray that
+    /// leaves a triangle does not meet it again.
+    #[cold]
+    #[inline(never)]
+    fn settle(&mut self, sheared: [Vec3<T>; 3], vertices: &[Vec3<T>; 3], origin: Vec3<T>, shear: &Shear<T>) {
+        if self.t.abs() > uncertainty(sheared, self.weights, self.sum) * T::from_f32(1024.0) {
+            return;
+        }
+        let [a, b, c] = vertices.map(|v| v.exact_difference(origin));
+        let volume = a.twofold_dot(c.twofold_cross(b)).rounded();
+        self.t = shear.z * volume / self.sum;
+    }
 }
 
 /// A bound on the error of t, which is that of the farthest corner (Pharr, Jakob and Humphreys,
 /// "Physically Based Rendering", 4th edition, 6.8.7). The corners are sheared.
-#[cold]
-#[inline(never)]
 fn uncertainty<T: Real>([a, b, c]: [Vec3<T>; 3], [u, v, w]: [T; 3], sum: T) -> T {
     let rounding = |operations: f32| T::from_f32(operations) * T::ROUNDOFF;
     let largest = |a: T, b: T, c: T| a.abs().max(b.abs()).max(c.abs());
