@@ -33,8 +33,10 @@ pub trait Real:
     const ONE: Self;
     /// 2
     const TWO: Self;
-    /// The largest finite value: the length of a ray that nothing stops.
+    /// The largest finite value.
     const MAX: Self;
+    /// The farthest that light is followed, 2⁶⁰: beyond any scene, and squares of it do not overflow.
+    const FARTHEST: Self;
     /// The smallest positive number with all digits.
     const SMALLEST: Self;
     /// The unit roundoff u: the largest relative error of one correctly rounded operation (2⁻²⁴ for `f32`).
@@ -99,6 +101,7 @@ impl Real for f32 {
     const ONE: Self = 1.0;
     const TWO: Self = 2.0;
     const MAX: Self = f32::MAX;
+    const FARTHEST: Self = 1_152_921_504_606_846_976.0;
     const SMALLEST: Self = f32::MIN_POSITIVE;
     const ROUNDOFF: Self = f32::EPSILON / 2.0;
 
@@ -145,6 +148,7 @@ impl Real for f64 {
     const ONE: Self = 1.0;
     const TWO: Self = 2.0;
     const MAX: Self = f64::MAX;
+    const FARTHEST: Self = 1_152_921_504_606_846_976.0;
     const SMALLEST: Self = f64::MIN_POSITIVE;
     const ROUNDOFF: Self = f64::EPSILON / 2.0;
 

@@ -4,10 +4,10 @@ use crate::intersect::{Hit, Ray, nearest, occluded};
 use crate::math::Real;
 use crate::scene::{Scene, Shadow};
 
-/// The surface that light comes from along a ray.
+/// The surface that light comes from along a ray. A plane that is met beyond any scene, at its horizon, is not seen.
 #[inline]
 pub(crate) fn next_surface<'a, T: Real, const EFFECTS: u64>(scene: &Scene<'a, T>, ray: &Ray<T>) -> Option<Hit<'a, T>> {
-    nearest::<T, EFFECTS>(scene.objects, ray, T::MAX, |_| true)
+    nearest::<T, EFFECTS>(scene.objects, ray, T::FARTHEST, |_| true)
 }
 
 /// The surface of an object with a tinted shadow that light meets first along a ray, before `distance`.

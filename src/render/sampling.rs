@@ -66,8 +66,8 @@ impl<T: Real> Accumulator<T> {
     /// Adds a sample and tells whether the pixel is done.
     #[inline]
     pub(crate) fn add(&mut self, color: Rgb<T>, sampling: &Sampling<T>) -> bool {
-        // Huge lights may overflow; a finite pixel is promised.
-        let color = color.min(Rgb::grey(T::MAX));
+        // Huge lights may overflow; a finite pixel is promised. What is not a number would be black, not white.
+        let color = color.max(Rgb::BLACK).min(Rgb::grey(T::MAX));
         self.sum += color;
         self.count += 1;
         let Sampling::Adaptive { first, contrast, .. } = *sampling else {

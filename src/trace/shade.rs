@@ -109,7 +109,7 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
             if let Some(arriving) = illuminate::<T, EFFECTS>(light, self.origin, sample) {
                 // Huge lights may overflow, and what nothing of them gets through must still be black.
                 let sent = arriving.color * self.response::<EFFECTS>(arriving.ray.direction);
-                let sent = sent.min(Rgb::grey(T::MAX));
+                let sent = sent.max(Rgb::BLACK).min(Rgb::grey(T::MAX));
                 if sent.max_channel() > T::ZERO {
                     if *rays == 0 {
                         return false;

@@ -151,7 +151,8 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tr
         self.scene
     }
 
-    /// The first surface that a ray meets, whose direction must have length 1; `None` where it meets nothing.
+    /// The first surface that a ray meets; `None` where it meets nothing up to a distance of 2⁶⁰. The ray's direction must
+    /// have length 1 and its origin coordinates of at most 1e12.
     ///
     /// ```
     /// use whit::{Ray, Vec3, scenes::SPHERES};
@@ -167,7 +168,8 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tr
         Some(Intersection::new::<EFFECTS>(&hit, object, ray))
     }
 
-    /// The light that comes back along one ray, whose direction must have length 1. Lights with an area are sampled at
+    /// The light that comes back along one ray, whose direction must have length 1 and whose origin coordinates of at
+    /// most 1e12. Lights with an area are sampled at
     /// their first sample point.
     #[must_use]
     pub fn trace(&self, ray: Ray<T>, budget: &Budget<T>, observer: &mut impl Observer) -> Rgb<T> {
