@@ -5,7 +5,9 @@ use whit::{Background, Camera, Effects, Material, Object, Ray, Rgb, Scene, Shape
 use super::naive::origin::Origin;
 
 const UP: Vec3<f32> = Vec3::new(0.0, 1.0, 0.0);
-const EFFECTS: u64 = Effects::SPHERE.with(Effects::BOX).with(Effects::PLANE).with(Effects::BODY).bits();
+const SHAPES: Effects =
+    Effects::SPHERE.with(Effects::BOX).with(Effects::PLANE).with(Effects::DISC).with(Effects::TRIANGLES);
+const EFFECTS: u64 = SHAPES.with(Effects::BODY).bits();
 
 /// What went wrong, for rays in a scene whose largest object has about the size `scale`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -40,7 +40,7 @@ pub fn fresnel_dielectric<T: Real>(n1: T, n2: T, cosine: T) -> Option<(Polarized
         // Between equal media nothing is reflected and nothing bent, not even along the interface.
         return Some((Polarized { s: T::ZERO, p: T::ZERO }, cosine));
     }
-    let g = normal_part(n, m, cosine)?;
+    let g = normal_part(n1, n2, m, cosine)?;
     let sum = cosine + g;
     let (s, dense) = (m / (sum * sum), n * n * cosine);
     let p = (dense - g) / (dense + g);

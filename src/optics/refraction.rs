@@ -1,6 +1,6 @@
 //! Snell's law.
 
-use crate::math::{Real, Vec3};
+use crate::math::{Real, Twofold, Vec3};
 
 /// cos θ₂ behind an interface, by Snell's law n₁·sin θ₁ = n₂·sin θ₂; `None` on total internal reflection.
 ///
@@ -10,23 +10,29 @@ use crate::math::{Real, Vec3};
 #[must_use]
 pub fn transmitted_cosine<T: Real>(n1: T, n2: T, cosine: T) -> Option<T> {
     let n = n2 / n1;
-    Some(normal_part(n, (n - T::ONE) * (n + T::ONE), cosine)? / n)
+    Some(normal_part(n1, n2, (n - T::ONE) * (n + T::ONE), cosine)? / n)
 }
 
 /// g = n·cos θ₂ = √(n² − 1 + c²) for n = n₂/n₁ and m = n² − 1; `None` where the radicand is negative.
 ///
-/// Near the critical angle n² − 1 and c² cancel. There the squares are taken exactly, so that rounding neither makes a
-/// total reflection nor hides one.
+/// Near the critical angle n² − 1 and c² cancel. There the radicand is worked out in twice the digits, so that rounding
+/// neither makes a total reflection nor hides one.
 #[inline]
-pub(super) fn normal_part<T: Real>(n: T, m: T, cosine: T) -> Option<T> {
+pub(super) fn normal_part<T: Real>(n1: T, n2: T, m: T, cosine: T) -> Option<T> {
     let square = cosine * cosine;
     let mut radicand = m + square;
     if radicand.abs() < square * T::from_f32(1.0 / 64.0) {
-        let n_square = n * n;
-        let errors = n.product_error(n, n_square) + cosine.product_error(cosine, square);
-        radicand = ((n_square - T::ONE) + square) + errors;
+        radicand = near_critical(n1, n2, cosine);
     }
     if radicand < T::ZERO { None } else { Some(radicand.sqrt()) }
+}
+
+/// (n₂² − n₁²(1 − c²))/n₁²
+#[cold]
+#[inline(never)]
+fn near_critical<T: Real>(n1: T, n2: T, cosine: T) -> T {
+    let [dense, thin, cosine, one] = [n1, n2, cosine, T::ONE].map(|x| Twofold::difference(x, T::ZERO));
+    (thin * thin - dense * dense * (one - cosine * cosine)).rounded() / (n1 * n1)
 }
 
 /// The sine of the critical angle, n₂/n₁: light that comes at a larger angle from inside n₁ is reflected totally.

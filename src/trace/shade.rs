@@ -57,7 +57,7 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
         };
         let throughput = match &material.balance {
             Some(balance) if effects.has(Effects::BALANCE) => {
-                branch.throughput * (balance.brightness * (T::ONE - balance.ratio))
+                branch.throughput * (balance.brightness * (T::ONE - balance.ratio).max(T::ZERO))
             }
             _ => branch.throughput,
         };

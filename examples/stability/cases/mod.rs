@@ -1,8 +1,16 @@
 //! The sections of the page, one a case.
 
+mod boxes;
 mod cancellation;
+mod chains;
+mod coincidence;
+mod interfaces;
+mod invariance;
+mod numbers;
 mod scale;
 mod self_intersection;
+mod total_reflection;
+mod triangles;
 
 use super::page::Page;
 
@@ -27,5 +35,13 @@ pub fn write(page: &mut Page) -> Result<(), String> {
     page.text(HEAD);
     scale::write(page)?;
     cancellation::write(page)?;
-    self_intersection::write(page)
+    self_intersection::write(page)?;
+    boxes::write(page)?;
+    triangles::write(page)?;
+    interfaces::write(page)?;
+    total_reflection::write(page)?;
+    chains::write(page)?;
+    coincidence::write(page)?;
+    numbers::write(page)?;
+    invariance::write(page)
 }

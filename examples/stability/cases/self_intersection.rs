@@ -62,7 +62,7 @@ pub fn write(page: &mut Page) -> Result<(), String> {
             let Failures { self_hits, leaks, jumps, .. } = failures(origin, scale, RAYS);
             let counts = [self_hits, leaks, jumps].map(|count| count.to_string());
             let [a, b, c] = counts;
-            rows.push(vec![name(origin), format!("{scale:e}"), a, b, c, format!("{time:.2}")]);
+            rows.push(vec![origin.to_string(), format!("{scale:e}"), a, b, c, format!("{time:.2}")]);
         }
     }
     page.table(&rows);
@@ -70,16 +70,8 @@ pub fn write(page: &mut Page) -> Result<(), String> {
     Ok(())
 }
 
-fn name(origin: Origin) -> String {
-    match origin {
-        Origin::Point => "the point itself".to_owned(),
-        Origin::AlongRay(distance) => format!("{distance:e} along the ray"),
-        Origin::AlongNormal(distance) => format!("{distance:e} along the normal"),
-        Origin::ErrorBound => "by the error bound".to_owned(),
-    }
-}
-
-fn ball(origin: Origin, scale: f32) -> RgbImage {
+/// A ball on the ground, in a scene of this size.
+pub fn ball(origin: Origin, scale: f32) -> RgbImage {
     let eye =
         Eye { position: Vec3::new(1.5, 1.2, 4.0) * scale, target: Vec3::new(0.2, 0.6, 0.0) * scale, half_height: 0.4 };
     let shapes = [Shape::plane(Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0)), Shape::sphere(Vec3::new(0.0, scale, 0.0), scale)];

@@ -1,5 +1,7 @@
 //! Where rays start that leave a surface.
 
+use std::fmt;
+
 use whit::{Intersection, Ray, Vec3};
 
 /// A way to keep a ray from meeting the surface that it leaves.
@@ -38,5 +40,16 @@ impl Origin {
             Self::ErrorBound => hit.leave(direction).origin,
         };
         Ray { origin, direction }
+    }
+}
+
+impl fmt::Display for Origin {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Point => f.write_str("the point itself"),
+            Self::AlongRay(distance) => write!(f, "{distance:e} along the ray"),
+            Self::AlongNormal(distance) => write!(f, "{distance:e} along the normal"),
+            Self::ErrorBound => f.write_str("by the error bound"),
+        }
     }
 }
