@@ -50,9 +50,10 @@ pub(crate) fn intersect<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, limit: T, out
     first([entry, exit], limit, outside_only)
 }
 
-/// The surface at a contact. The coordinate across the face is the face's own, without any error.
+/// The surface at a contact. The coordinate across the face is the face's own, without any error; the others are those of
+/// a point of the face, so that what starts next to an edge and goes inside does start inside.
 pub(crate) fn surface<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
-    let mut point = ray.at(contact.t);
+    let mut point = ray.at(contact.t).max(shape.min).min(shape.max);
     let mut normal = Vec3::ZERO;
     let (direction, low, high, coordinate, across) = match contact.part() {
         0 => (ray.direction.x, shape.min.x, shape.max.x, &mut point.x, &mut normal.x),

@@ -1,6 +1,6 @@
 //! Ray against cylinder and cone, open or capped.
 
-use super::{Contact, Ray, Surface, plane};
+use super::{Contact, Ray, Surface, plane, ray};
 use crate::math::{Real, Vec3};
 use crate::scene::{Cone, Disc};
 
@@ -32,52 +32,127 @@ impl<T: Real> Axis<T> {
     }
 }
 
-/// The first visible contact nearer than `limit`.
-pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
-    let mut best = intersect_side(cone, ray, limit, outside_only);
-    if cone.capped {
-        for (part, cap) in [(BASE_CAP, base_cap(cone)), (APEX_CAP, apex_cap(cone))] {
-            let limit = best.map_or(limit, |contact| contact.t);
-            if let Some(contact) = plane::intersect_disc(&cap, ray, limit, outside_only) {
-                best = Some(Contact::new(contact.t, contact.front(), part));
-            }
-        }
-    }
-    best
+/// A ray along and across the axis of a cone: at the distance `start` + t it is `height` + `rise`·t above the base, and
+/// a·t² + 2·b·t + c is the square of its distance from the axis less that of the radius there.
+///
+/// `start` is where the ray is nearest to the axis between the ends, so that the digits are spent near the contacts and
+/// not on the way to them.
+struct Passage<T> {
+    start: T,
+    height: T,
+    rise: T,
+    a: T,
+    b: T,
+    c: T,
 }
 
-/// Solves |across(t)|² = radius(t)² with the origin moved to where the ray is nearest to the axis, so that the digits
-/// are spent near the contacts and not on the way to them. A ray along the axis moves no farther than its end.
-fn intersect_side<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
+impl<T: Real> Passage<T> {
+    #[inline]
+    fn new(cone: &Cone<T>, axis: &Axis<T>, ray: &Ray<T>) -> Self {
+        let (rise, across_rate) = axis.split(ray.direction);
+        let square = across_rate.length_squared();
+        let middle = (cone.base + (cone.apex - cone.base) * T::HALF - ray.origin).dot(ray.direction);
+        let (height, across) = axis.split(ray.at(middle) - cone.base);
+        let mut shift = if square > T::ZERO { -(across.dot(across_rate) / square) } else { T::ZERO };
+        if rise != T::ZERO {
+            let (base, apex) = (-height / rise, (axis.height - height) / rise);
+            shift = shift.max(base.min(apex)).min(base.max(apex));
+        }
+        let start = middle + shift;
+        let (height, across) = axis.split(ray.at(start) - cone.base);
+        let radius = cone.base_radius.abs() + axis.slope * height;
+        let radius_rate = axis.slope * rise;
+        Self {
+            start,
+            height,
+            rise,
+            a: square - radius_rate * radius_rate,
+            b: across.dot(across_rate) - radius * radius_rate,
+            c: across.length_squared() - radius * radius,
+        }
+    }
+}
+
+/// Two distances along a ray between which it is inside, and the parts of the surface there.
+struct Span<T> {
+    enter: (T, u32),
+    leave: (T, u32),
+}
+
+/// The first visible contact nearer than `limit`.
+pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let axis = Axis::new(cone);
-    let (rise, across_rate) = axis.split(ray.direction);
-    let square = across_rate.length_squared();
-    let middle = (cone.base + (cone.apex - cone.base) * T::HALF - ray.origin).dot(ray.direction);
-    let (_, across) = axis.split(ray.at(middle) - cone.base);
-    let shift = if square > T::ZERO { -(across.dot(across_rate) / square) } else { T::ZERO };
-    let start = middle + shift.min(axis.height).max(-axis.height);
-    let (height, across) = axis.split(ray.at(start) - cone.base);
-    let radius = cone.base_radius.abs() + axis.slope * height;
-    let radius_rate = axis.slope * rise;
-    let a = square - radius_rate * radius_rate;
-    let b = across.dot(across_rate) - radius * radius_rate;
-    let c = across.length_squared() - radius * radius;
+    let passage = Passage::new(cone, &axis, ray);
     let solid = cone.base_radius > T::ZERO || cone.apex_radius > T::ZERO;
+    let Passage { start, height, rise, a, b, c } = passage;
+    if cone.capped {
+        let Span { enter, leave } = passage.inside(axis.height)?;
+        let contacts = [(enter, solid), (leave, !solid)].map(|((t, part), front)| Contact::new(start + t, front, part));
+        return ray::first(contacts, limit, outside_only);
+    }
     for t in roots(a, b, c)? {
         let s = height + rise * t;
         // Heights outside the cone also rule out its mirror image behind the tip.
         if s < T::ZERO || s > axis.height {
             continue;
         }
-        // The normal is across − radius·slope·axis, up to a positive factor.
-        let gradient = (across + across_rate * t).dot(across_rate) - (radius + radius_rate * t) * radius_rate;
-        let front = (gradient < T::ZERO) == solid;
+        // Half the rate at which the ray leaves the side.
+        let front = (a * t + b < T::ZERO) == solid;
         let t = start + t;
         if t > T::ZERO && t < limit && (front || !outside_only) {
             return Some(Contact::new(t, front, SIDE));
         }
     }
     None
+}
+
+impl<T: Real> Passage<T> {
+    /// Where the ray is between the caps and within the side. What is cut by both is closed at their rims, however they
+    /// are rounded.
+    fn inside(&self, top: T) -> Option<Span<T>> {
+        let Self { a, b, c, .. } = *self;
+        let caps = self.between_caps(top)?;
+        let Some([first, second]) = roots(a, b, c) else {
+            // The ray meets no side: it runs inside or outside all along.
+            return (a < T::ZERO || c <= T::ZERO).then_some(caps);
+        };
+        let [before, behind] = [caps.until(first), caps.from(second)];
+        let inside = if a > T::ZERO {
+            caps.from(first).until(second)
+        } else if a < T::ZERO {
+            // Steeper than the side: outside between the roots, of which one belongs to the mirror image.
+            if before.length() > behind.length() { before } else { behind }
+        } else if b > T::ZERO {
+            before
+        } else {
+            behind
+        };
+        (inside.enter.0 <= inside.leave.0).then_some(inside)
+    }
+
+    fn between_caps(&self, top: T) -> Option<Span<T>> {
+        let Self { height, rise, .. } = *self;
+        if rise == T::ZERO {
+            let span = Span { enter: (-T::MAX, SIDE), leave: (T::MAX, SIDE) };
+            return (height >= T::ZERO && height <= top).then_some(span);
+        }
+        let (base, apex) = ((-height / rise, BASE_CAP), ((top - height) / rise, APEX_CAP));
+        Some(if rise > T::ZERO { Span { enter: base, leave: apex } } else { Span { enter: apex, leave: base } })
+    }
+}
+
+impl<T: Real> Span<T> {
+    fn from(&self, t: T) -> Self {
+        Self { enter: if t > self.enter.0 { (t, SIDE) } else { self.enter }, leave: self.leave }
+    }
+
+    fn until(&self, t: T) -> Self {
+        Self { enter: self.enter, leave: if t < self.leave.0 { (t, SIDE) } else { self.leave } }
+    }
+
+    fn length(&self) -> T {
+        self.leave.0 - self.enter.0
+    }
 }
 
 /// The roots of a·t² + 2·b·t + c in rising order; one root twice where the equation is linear.
@@ -106,9 +181,11 @@ pub(crate) fn surface<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T
     }
     let axis = Axis::new(cone);
     let (height, across) = axis.split(ray.at(contact.t) - cone.base);
+    // Once more, so that what is left along the axis does not count where the cone is thin.
+    let (_, across) = axis.split(across);
     let radius = cone.base_radius.abs() + axis.slope * height;
-    // A side far thinner than a rounding of its distance is met on its axis.
-    let outward = across.normalized_or(-ray.direction);
+    // At the very tip, and where a side is thinner than a rounding of its distance, any direction across will do.
+    let outward = across.normalized_or(axis.unit.tangents().0);
     let point = cone.base + axis.unit * height + outward * radius;
     let normal = (outward - axis.unit * axis.slope).normalized();
     let solid = cone.base_radius > T::ZERO || cone.apex_radius > T::ZERO;

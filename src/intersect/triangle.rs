@@ -72,25 +72,42 @@ fn cross<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>, shear: &Shear<T>) -> Op
     // Where all corners lie in front of the origin, so does the crossing.
     let is_ahead = a.z > T::ZERO && b.z > T::ZERO && c.z > T::ZERO;
     if !is_ahead {
-        crossing.settle([a, b, c], vertices, ray.origin, shear);
+        crossing.settle([a, b, c], vertices, ray);
     }
     (crossing.t > T::ZERO).then_some(crossing)
 }
 
 impl<T: Real> Crossing<T> {
-    /// Works t out in twice the digits where rounding takes more than a thousandth of it: from six times the volume
-    /// between the origin and the triangle, whose sign tells on which side of the triangle the origin is. So a ray that
-    /// leaves a triangle does not meet it again.
+    /// Works t out in twice the digits, from the plane of the triangle, where rounding takes more than a thousandth of it.
+    /// Its sign is right then, so that a ray that leaves a triangle does not meet it again.
     #[cold]
     #[inline(never)]
-    fn settle(&mut self, sheared: [Vec3<T>; 3], vertices: &[Vec3<T>; 3], origin: Vec3<T>, shear: &Shear<T>) {
+    fn settle(&mut self, sheared: [Vec3<T>; 3], [a, b, c]: &[Vec3<T>; 3], ray: &Ray<T>) {
         if self.t.abs() > uncertainty(sheared, self.weights, self.sum) * T::from_f32(1024.0) {
             return;
         }
-        let [a, b, c] = vertices.map(|v| v.exact_difference(origin));
-        let volume = a.twofold_dot(c.twofold_cross(b)).rounded();
-        self.t = shear.z * volume / self.sum;
+        let normal = b.exact_difference(*a).twofold_cross(c.exact_difference(*a));
+        let approach = ray.direction.exact_difference(Vec3::ZERO).twofold_dot(normal).rounded();
+        self.t = if approach == T::ZERO {
+            edge_crossing(sheared)
+        } else {
+            a.exact_difference(ray.origin).twofold_dot(normal).rounded() / approach
+        };
     }
+}
+
+/// Where a ray comes nearest to the longest edge of a sheared triangle that has no area but closes a seam.
+fn edge_crossing<T: Real>([a, b, c]: [Vec3<T>; 3]) -> T {
+    let square = |from: Vec3<T>, to: Vec3<T>| (to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y);
+    let [ab, bc, ca] = [square(a, b), square(b, c), square(c, a)];
+    let (from, to, square) = if ab >= bc && ab >= ca {
+        (a, b, ab)
+    } else if bc >= ca {
+        (b, c, bc)
+    } else {
+        (c, a, ca)
+    };
+    from.z - (from.x * (to.x - from.x) + from.y * (to.y - from.y)) / square * (to.z - from.z)
 }
 
 /// A bound on the error of t, which is that of the farthest corner (Pharr, Jakob and Humphreys,

@@ -85,6 +85,18 @@ impl<T: Real> Vec3<T> {
         if square >= T::SMALLEST { self * (T::ONE / square.sqrt()) } else { other }
     }
 
+    /// The larger of each pair of coordinates.
+    #[inline]
+    pub(crate) fn max(self, other: Self) -> Self {
+        Self { x: self.x.max(other.x), y: self.y.max(other.y), z: self.z.max(other.z) }
+    }
+
+    /// The smaller of each pair of coordinates.
+    #[inline]
+    pub(crate) fn min(self, other: Self) -> Self {
+        Self { x: self.x.min(other.x), y: self.y.min(other.y), z: self.z.min(other.z) }
+    }
+
     /// The vector of absolute values.
     #[inline]
     #[must_use]
