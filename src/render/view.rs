@@ -50,7 +50,10 @@ impl<T: Real> View<T> {
             Some(lens) if Effects::from_bits(EFFECTS).has(Effects::LENS) => {
                 let (a, b) = aperture_point(&lens.aperture, lens_sample());
                 let offset = self.right * a + self.up * b;
-                Ray { origin: self.eye + offset, direction: (through * lens.focus - offset).normalized() }
+                // To the point in focus, in units in which neither part of the way is long.
+                let unit = T::ONE / lens.focus.max(a.abs()).max(b.abs());
+                let towards = through * (lens.focus * unit) - offset * unit;
+                Ray { origin: self.eye + offset, direction: towards.normalized() }
             }
             _ => Ray { origin: self.eye, direction: through.normalized() },
         }

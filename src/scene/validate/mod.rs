@@ -11,7 +11,7 @@ mod shape;
 
 pub use error::{Place, SceneError};
 
-use super::{Background, Medium, Object, Scene, Shadow, Tone};
+use super::{Background, Material, Medium, Object, Scene, Shadow, Tone};
 use crate::math::Real;
 use material::attenuation;
 pub(super) use number::color;
@@ -66,10 +66,11 @@ impl<T: Real> Scene<'_, T> {
         check_count(self.objects.len()).map_err(at(Place::Scene))?;
         for (i, object) in self.objects.iter().enumerate() {
             let mut index = 0;
-            while let Some(part) = object.part(index, T::to_f32) {
+            while let Some(part) = object.shape.part(index, T::to_f32) {
                 part.check().map_err(at(Place::Object(i)))?;
                 index += 1;
             }
+            check_looks(&object.material.map(T::to_f32), object.shadow).map_err(at(Place::Object(i)))?;
         }
         for (i, light) in self.lights.iter().enumerate() {
             light.map(T::to_f32).check().map_err(at(Place::Light(i)))?;
@@ -107,8 +108,12 @@ const fn check_surroundings(background: &Background<f32>, tone: &Tone<f32>, medi
 impl Object<'_, f32> {
     pub(in crate::scene) const fn check(&self) -> Result<(), Fault> {
         ensure!(self.shape.check());
-        ensure!(self.material.check());
-        let tinted = matches!(self.shadow, Shadow::Tinted) && !self.material.interface.is_transparent();
-        check(!tinted, "shadow", "a tinted shadow only under a transparent interface")
+        check_looks(&self.material, self.shadow)
     }
+}
+
+const fn check_looks(material: &Material<f32>, shadow: Shadow) -> Result<(), Fault> {
+    ensure!(material.check());
+    let tinted = matches!(shadow, Shadow::Tinted) && !material.interface.is_transparent();
+    check(!tinted, "shadow", "a tinted shadow only under a transparent interface")
 }
