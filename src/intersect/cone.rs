@@ -86,7 +86,7 @@ pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside
     let solid = cone.base_radius > T::ZERO || cone.apex_radius > T::ZERO;
     let Passage { start, height, rise, a, b, c } = passage;
     if cone.capped {
-        let Span { enter, leave } = passage.inside(axis.height)?;
+        let Span { enter, leave } = passage.inside(cone, axis.height)?;
         let contacts = [(enter, solid), (leave, !solid)].map(|((t, part), front)| Contact::new(start + t, front, part));
         return ray::first(contacts, limit, outside_only);
     }
@@ -109,9 +109,9 @@ pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside
 impl<T: Real> Passage<T> {
     /// Where the ray is between the caps and within the side. What is cut by both is closed at their rims, however they
     /// are rounded.
-    fn inside(&self, top: T) -> Option<Span<T>> {
+    fn inside(&self, cone: &Cone<T>, top: T) -> Option<Span<T>> {
         let Self { a, b, c, .. } = *self;
-        let caps = self.between_caps(top)?;
+        let caps = self.between_caps(cone, top)?;
         let Some([first, second]) = roots(a, b, c) else {
             // The ray meets no side: it runs inside or outside all along.
             return (a < T::ZERO || c <= T::ZERO).then_some(caps);
@@ -130,13 +130,16 @@ impl<T: Real> Passage<T> {
         (inside.enter.0 <= inside.leave.0).then_some(inside)
     }
 
-    fn between_caps(&self, top: T) -> Option<Span<T>> {
+    fn between_caps(&self, cone: &Cone<T>, top: T) -> Option<Span<T>> {
         let Self { height, rise, .. } = *self;
         if rise == T::ZERO {
             let span = Span { enter: (-T::MAX, SIDE), leave: (T::MAX, SIDE) };
             return (height >= T::ZERO && height <= top).then_some(span);
         }
-        let (base, apex) = ((-height / rise, BASE_CAP), ((top - height) / rise, APEX_CAP));
+        // A tip has no cap.
+        let base_part = if cone.base_radius == T::ZERO { SIDE } else { BASE_CAP };
+        let apex_part = if cone.apex_radius == T::ZERO { SIDE } else { APEX_CAP };
+        let (base, apex) = ((-height / rise, base_part), ((top - height) / rise, apex_part));
         Some(if rise > T::ZERO { Span { enter: base, leave: apex } } else { Span { enter: apex, leave: base } })
     }
 }

@@ -1,5 +1,4 @@
 //! Points on planes and discs lie no farther from them than their offset.
-#![allow(missing_docs, clippy::unwrap_used)]
 
 use whit::{Background, Camera, Effects, Material, Object, Ray, Rgb, Scene, Shape, Tracer, Vec3};
 

@@ -1,5 +1,4 @@
 //! A triangle without area closes the seam between a triangle and two that share its edge in halves, on all sides.
-#![allow(missing_docs, clippy::unwrap_used)]
 
 use whit::scene::Triangle;
 use whit::{Background, Camera, Effects, Material, Object, Ray, Rgb, Scene, Shape, Tracer, Vec3};

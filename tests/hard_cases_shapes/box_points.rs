@@ -1,5 +1,4 @@
 //! Points on boxes lie on them.
-#![allow(missing_docs, clippy::unwrap_used)]
 
 use whit::{Background, Camera, Effects, Material, Object, Ray, Rgb, Scene, Shape, Tracer, Vec3};
 

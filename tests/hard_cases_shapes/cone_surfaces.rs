@@ -1,5 +1,4 @@
 //! Points on cones lie on them, rays that leave cones do not meet them again, and capped ones have no gap at their rims.
-#![allow(missing_docs, clippy::unwrap_used)]
 
 use whit::{Background, Camera, Effects, Intersection, Material, Object, Ray, Rgb, Scene, Shape, Tracer, Vec3};
 
@@ -67,4 +66,19 @@ fn rims_are_closed() {
         rays.count()
     });
     assert!(out == 0, "{out} of 1,000,000 rays get out");
+}
+
+/// A cone that is turned inwards is met from inside at its tip, where its end has no radius.
+#[test]
+fn tips_have_no_end() {
+    let mut wrong = 0;
+    for i in 0..1000 {
+        let base = Vec3::new(18_000.0 + i as f32, -1400.0, 300.0);
+        let apex = base + Vec3::new(9.0, 0.0, 0.0);
+        let shape = Shape::cone(base, -1.0, apex, 0.0).capped();
+        let origin = Vec3::new(45_000.0, 10.0, -400.0);
+        let hit = with(shape, |intersect| intersect(&Ray { origin, direction: (apex - origin).normalized() }));
+        wrong += u32::from(hit.is_some_and(|hit| hit.normal.x.abs() > 0.9));
+    }
+    assert!(wrong == 0, "{wrong} of 1000 tips are met like an end across the axis");
 }

@@ -1,5 +1,4 @@
 //! Long triangles are met near the eye, although their corners are far away on both sides of it.
-#![allow(missing_docs, clippy::unwrap_used)]
 
 use whit::scene::Triangle;
 use whit::{Background, Camera, Effects, Material, Object, Ray, Rgb, Scene, Shape, Tracer, Vec3};
