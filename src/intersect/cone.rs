@@ -73,7 +73,8 @@ impl<T: Real> Passage<T> {
     }
 }
 
-/// Two distances along a ray between which it is inside, and the parts of the surface there.
+/// Two distances along a ray, between which it is inside, and the parts of the surface there.
+#[derive(Clone, Copy)]
 struct Span<T> {
     enter: (T, u32),
     leave: (T, u32),
@@ -86,8 +87,8 @@ pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside
     let solid = cone.base_radius > T::ZERO || cone.apex_radius > T::ZERO;
     let Passage { start, height, rise, a, b, c } = passage;
     if cone.capped {
-        let Span { enter, leave } = passage.inside(cone, axis.height)?;
-        let contacts = [(enter, solid), (leave, !solid)].map(|((t, part), front)| Contact::new(start + t, front, part));
+        let Span { enter, leave } = passage.within(&between_ends(cone, &axis, ray)?)?;
+        let contacts = [(enter, solid), (leave, !solid)].map(|((t, part), front)| Contact::new(t, front, part));
         return ray::first(contacts, limit, outside_only);
     }
     for t in roots(a, b, c)? {
@@ -107,15 +108,15 @@ pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside
 }
 
 impl<T: Real> Passage<T> {
-    /// Where the ray is between the caps and within the side. What is cut by both is closed at their rims, however they
-    /// are rounded.
-    fn inside(&self, cone: &Cone<T>, top: T) -> Option<Span<T>> {
-        let Self { a, b, c, .. } = *self;
-        let caps = self.between_caps(cone, top)?;
+    /// Of the span between the caps, what is within the side. A span that is cut by both is closed at their rims, however
+    /// they are rounded.
+    fn within(&self, caps: &Span<T>) -> Option<Span<T>> {
+        let Self { start, a, b, c, .. } = *self;
         let Some([first, second]) = roots(a, b, c) else {
             // The ray meets no side: it runs inside or outside all along.
-            return (a < T::ZERO || c <= T::ZERO).then_some(caps);
+            return (a < T::ZERO || c <= T::ZERO).then_some(*caps);
         };
+        let (first, second) = (start + first, start + second);
         let [before, behind] = [caps.until(first), caps.from(second)];
         let inside = if a > T::ZERO {
             caps.from(first).until(second)
@@ -129,19 +130,21 @@ impl<T: Real> Passage<T> {
         };
         (inside.enter.0 <= inside.leave.0).then_some(inside)
     }
+}
 
-    fn between_caps(&self, cone: &Cone<T>, top: T) -> Option<Span<T>> {
-        let Self { height, rise, .. } = *self;
-        if rise == T::ZERO {
-            let span = Span { enter: (-T::MAX, SIDE), leave: (T::MAX, SIDE) };
-            return (height >= T::ZERO && height <= top).then_some(span);
-        }
-        // A tip has no cap.
-        let base_part = if cone.base_radius == T::ZERO { SIDE } else { BASE_CAP };
-        let apex_part = if cone.apex_radius == T::ZERO { SIDE } else { APEX_CAP };
-        let (base, apex) = ((-height / rise, base_part), ((top - height) / rise, apex_part));
-        Some(if rise > T::ZERO { Span { enter: base, leave: apex } } else { Span { enter: apex, leave: base } })
+/// Where a ray is between the ends of a cone.
+fn between_ends<T: Real>(cone: &Cone<T>, axis: &Axis<T>, ray: &Ray<T>) -> Option<Span<T>> {
+    let [base, apex] = [cone.base, cone.apex].map(|end| (end - ray.origin).dot(axis.unit));
+    let rise = ray.direction.dot(axis.unit);
+    if rise == T::ZERO {
+        let span = Span { enter: (-T::MAX, SIDE), leave: (T::MAX, SIDE) };
+        return (base <= T::ZERO && apex >= T::ZERO).then_some(span);
     }
+    // A tip has no cap.
+    let base_part = if cone.base_radius == T::ZERO { SIDE } else { BASE_CAP };
+    let apex_part = if cone.apex_radius == T::ZERO { SIDE } else { APEX_CAP };
+    let (base, apex) = ((base / rise, base_part), (apex / rise, apex_part));
+    Some(if rise > T::ZERO { Span { enter: base, leave: apex } } else { Span { enter: apex, leave: base } })
 }
 
 impl<T: Real> Span<T> {
@@ -184,10 +187,10 @@ pub(crate) fn surface<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T
     }
     let axis = Axis::new(cone);
     let (height, across) = axis.split(ray.at(contact.t) - cone.base);
-    // Once more, so that what is left along the axis does not count where the cone is thin.
-    let (_, across) = axis.split(across);
     let radius = cone.base_radius.abs() + axis.slope * height;
-    // At the very tip, and where a side is thinner than a rounding of its distance, any direction across will do.
+    // At the tip, and where a side is thinner than a rounding of its distance, rounding is all there is across the axis.
+    let noise = height * (T::from_f32(8.0) * T::ROUNDOFF);
+    let across = if across.length_squared() > noise * noise { axis.split(across).1 } else { Vec3::ZERO };
     let outward = across.normalized_or(axis.unit.tangents().0);
     let point = cone.base + axis.unit * height + outward * radius;
     let normal = (outward - axis.unit * axis.slope).normalized();

@@ -155,15 +155,22 @@ pub(crate) fn smooth_surface<T: Real>(triangle: &SmoothTriangle<T>, ray: &Ray<T>
 /// The point by its barycentric weights, which keeps it in the triangle's plane whatever the distance; with 7 roundings
 /// of each product (Pharr, Jakob and Humphreys, 6.8.5).
 fn locate<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>) -> (Surface<T>, [T; 3]) {
-    let [a, b, c] = *vertices;
     let weights = match cross(vertices, ray, &Shear::new(ray.direction)) {
         Some(crossing) => crossing.weights.map(|weight| weight / crossing.sum),
         None => [T::ONE, T::ZERO, T::ZERO],
     };
     let error = weigh(&vertices.map(Vec3::abs), weights) * (T::from_f32(8.0) * T::ROUNDOFF);
-    // Edges of unit length first: the product of two short or long ones could leave the range of the number type.
-    let normal = (b - a).normalized().cross((c - a).normalized()).normalized();
+    let normal = exact_normal(vertices).normalized_or(-ray.direction);
     (Surface::new(weigh(vertices, weights), normal, error), weights)
+}
+
+/// The direction across a triangle, good to a rounding even for a sliver, and so long that its square neither underflows
+/// nor overflows; the zero vector where the corners are in line.
+fn exact_normal<T: Real>([a, b, c]: &[Vec3<T>; 3]) -> Vec3<T> {
+    let normal = b.exact_difference(*a).twofold_cross(c.exact_difference(*a)).rounded();
+    let size = normal.abs();
+    let largest = size.x.max(size.y).max(size.z);
+    if largest > T::ZERO { normal * (T::ONE / largest) } else { normal }
 }
 
 #[inline]

@@ -53,6 +53,11 @@ impl<T: Real> Vec3<Twofold<T>> {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
+    /// The nearest vector.
+    pub(crate) fn rounded(self) -> Vec3<T> {
+        self.map(Twofold::rounded)
+    }
+
     /// The vector product.
     pub(crate) fn twofold_cross(self, other: Self) -> Self {
         Self {

@@ -37,7 +37,8 @@ impl Plane {
         let (is_far, is_steep) = (height.abs() > height_error, speed.abs() > speed_error);
         let is_met = height / speed > 0.0;
         let Some(hit) = hit else {
-            let too_far = (height.abs() + height_error) / (speed.abs() - speed_error) > f64::from(f32::MAX);
+            // Light is followed to 2⁶⁰.
+            let too_far = (height.abs() + height_error) / (speed.abs() - speed_error) > 60.0_f64.exp2();
             return (is_met && is_far && is_steep && !too_far).then_some("missed");
         };
         if is_far && is_steep && !is_met {
