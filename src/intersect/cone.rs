@@ -198,7 +198,7 @@ pub(crate) fn surface<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T
     // Every term is at most the distance from the base, plus that of the base; each is good to about 6 roundings.
     let size = cone.base.abs() + Vec3::splat(height.abs() + radius.abs());
     let error = size * (T::from_f32(16.0) * T::ROUNDOFF);
-    Surface::new(point, if solid { normal } else { -normal }, error)
+    Surface::new(point, if solid { normal } else { -normal }, error).curved(radius.abs())
 }
 
 /// The disc at the base; its outside is away from the apex, or towards it when the cone is turned inwards.

@@ -13,8 +13,8 @@ pub(crate) struct Hit<'a, T> {
     pub contact: Contact<T>,
 }
 
-/// The nearest contact before `limit` with any object that `look_at` admits; of two equally near ones the first in the
-/// list.
+/// The nearest contact before `limit` with any object that `look_at` admits; of two that are equally near, to 32 roundings
+/// of their distance, the first in the list.
 #[inline]
 pub(crate) fn nearest<'a, T: Real, const EFFECTS: u64>(
     objects: &'a [Object<'a, T>],
@@ -27,7 +27,8 @@ pub(crate) fn nearest<'a, T: Real, const EFFECTS: u64>(
     let mut limit = limit;
     for object in objects.iter().filter(|object| look_at(object)) {
         if let Some((contact, primitive)) = search.nearest(object, limit) {
-            limit = contact.t;
+            // What is nearer by rounding alone is not nearer.
+            limit = contact.t * (T::ONE - T::from_f32(32.0) * T::ROUNDOFF);
             best = Some(Hit { object, primitive, contact });
         }
     }
@@ -45,17 +46,24 @@ pub(crate) fn occluded<T: Real, const EFFECTS: u64>(objects: &[Object<'_, T>], r
     })
 }
 
+/// Whether a ray meets an object before `limit`, and then whether from outside.
+pub(crate) fn meets<T: Real, const EFFECTS: u64>(object: &Object<'_, T>, ray: &Ray<T>, limit: T) -> Option<bool> {
+    let (contact, _) = Search::<T, EFFECTS>::new(ray).nearest(object, limit)?;
+    Some(contact.front())
+}
+
 /// Whether the origin of a ray lies inside an object, for what has an inside: half-spaces and closed shapes.
 pub(crate) fn encloses<T: Real, const EFFECTS: u64>(object: &Object<'_, T>, ray: &Ray<T>) -> bool {
     match &object.shape {
-        Shape::Plane(plane) => (ray.origin - plane.point).dot(plane.normal) < T::ZERO,
+        // A place on the plane is on the side that the ray goes to.
+        Shape::Plane(plane) => {
+            let height = (ray.origin - plane.point).dot(plane.normal);
+            height < T::ZERO || (height == T::ZERO && ray.direction.dot(plane.normal) < T::ZERO)
+        }
         Shape::Disc(_) | Shape::Triangle(_) | Shape::SmoothTriangle(_) => false,
         // Turned inside out, it encloses all the rest of space.
         Shape::Sphere(s) if s.radius < T::ZERO => (ray.origin - s.center).length() > -s.radius,
-        _ => {
-            let nearest = Search::<T, EFFECTS>::new(ray).nearest(object, T::MAX);
-            nearest.is_some_and(|(contact, _)| !contact.front())
-        }
+        _ => meets::<T, EFFECTS>(object, ray, T::MAX) == Some(false),
     }
 }
 

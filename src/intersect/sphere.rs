@@ -97,7 +97,7 @@ pub(crate) fn surface<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Conta
     }
     // The direction is good to 4 roundings, its product with r to 5; 8 leave room for the discriminant's own.
     let error = local.abs() * (T::from_f32(8.0) * T::ROUNDOFF);
-    Surface::new(point, normal, error)
+    Surface::new(point, normal, error).curved(sphere.radius.abs())
 }
 
 /// The surface of a sphere that is larger than the coordinates of the point, which are then known better than the
@@ -111,5 +111,5 @@ fn settle<T: Real>(sphere: &Sphere<T>, point: Vec3<T>, normal: Vec3<T>) -> Surfa
     let point = point - outward * height;
     let rest = T::from_f32(16.0) * T::ROUNDOFF * T::ROUNDOFF * sphere.radius.abs();
     let error = point.abs() * (T::from_f32(4.0) * T::ROUNDOFF) + Vec3::splat(rest);
-    Surface::new(point, normal, error)
+    Surface::new(point, normal, error).curved(sphere.radius.abs())
 }

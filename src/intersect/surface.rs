@@ -14,18 +14,34 @@ pub(crate) struct Surface<T> {
     pub shading: Vec3<T>,
     /// From the point to the nearest place that is surely outside, along the normal.
     pub offset: Vec3<T>,
+    /// How far the normal may turn, as an angle, within the rounding of the point: 0 where the surface is flat.
+    pub turn: T,
 }
 
 impl<T: Real> Surface<T> {
     /// A surface without a shading normal of its own. `error` bounds the absolute error of each coordinate of `point`.
     pub(crate) fn new(point: Vec3<T>, normal: Vec3<T>, error: Vec3<T>) -> Self {
-        Self { point, normal, shading: normal, offset: offset(point, normal, error) }
+        Self { point, normal, shading: normal, offset: offset(point, normal, error), turn: T::ZERO }
+    }
+
+    /// The same place on a surface with this radius of curvature.
+    pub(crate) fn curved(self, radius: T) -> Self {
+        let size = self.point.abs();
+        let rounding = size.x.max(size.y).max(size.z) * (T::from_f32(8.0) * T::ROUNDOFF);
+        Self { turn: if rounding < radius { rounding / radius } else { T::ONE }, ..self }
     }
 
     /// The geometric and the shading normal on the side that a ray comes from: outside if it meets the front.
     #[inline(always)]
     pub(crate) fn normals(&self, front: bool) -> (Vec3<T>, Vec3<T>) {
         if front { (self.normal, self.shading) } else { (-self.normal, -self.shading) }
+    }
+
+    /// How far along a ray in `direction`, from a contact at the distance `t`, the origin of the next ray may lie behind the
+    /// surface, with room for the rounding of the contact.
+    pub(crate) fn reach(&self, direction: Vec3<T>, t: T) -> T {
+        let cosine = self.normal.dot(direction).abs().max(T::from_f32(1.0 / 16.0));
+        T::from_f32(4.0) * self.offset.length() / cosine + t * (T::from_f32(64.0) * T::ROUNDOFF)
     }
 
     /// A ray that leaves the surface: to the outside, or to the inside.

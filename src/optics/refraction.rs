@@ -10,18 +10,26 @@ use crate::math::{Real, Twofold, Vec3};
 #[must_use]
 pub fn transmitted_cosine<T: Real>(n1: T, n2: T, cosine: T) -> Option<T> {
     let n = n2 / n1;
-    Some(normal_part(n1, n2, (n - T::ONE) * (n + T::ONE), cosine)? / n)
+    Some(normal_part(n1, n2, contrast(n1, n2), cosine)? / n)
+}
+
+/// m = n² − 1 for n = n₂/n₁, which keeps its digits for nearly equal indices.
+#[inline]
+pub(super) fn contrast<T: Real>(n1: T, n2: T) -> T {
+    (n2 - n1) / n1 * ((n2 + n1) / n1)
 }
 
 /// g = n·cos θ₂ = √(n² − 1 + c²) for n = n₂/n₁ and m = n² − 1; `None` where the radicand is negative.
 ///
-/// Near the critical angle n² − 1 and c² cancel. There the radicand is worked out in twice the digits, so that rounding
-/// neither makes a total reflection nor hides one.
+/// The radicand is n² − sin²θ₁ or m + c², whichever keeps more digits. Near the critical angle both cancel; there it is
+/// worked out in twice the digits, so that rounding neither makes a total reflection nor hides one.
 #[inline]
 pub(super) fn normal_part<T: Real>(n1: T, n2: T, m: T, cosine: T) -> Option<T> {
-    let square = cosine * cosine;
-    let mut radicand = m + square;
-    if radicand.abs() < square * T::from_f32(1.0 / 64.0) {
+    let n = n2 / n1;
+    let (whole, rest) =
+        if n * n < T::HALF { (n * n, (cosine - T::ONE) * (cosine + T::ONE)) } else { (cosine * cosine, m) };
+    let mut radicand = whole + rest;
+    if radicand.abs() < whole * T::from_f32(1.0 / 64.0) {
         radicand = near_critical(n1, n2, cosine);
     }
     if radicand < T::ZERO { None } else { Some(radicand.sqrt()) }

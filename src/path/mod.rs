@@ -19,8 +19,9 @@ pub(crate) fn next_tinted_surface<'a, T: Real, const EFFECTS: u64>(
     nearest::<T, EFFECTS>(scene.objects, ray, distance, |object| object.shadow == Shadow::Tinted)
 }
 
-/// Whether light reaches the origin of a ray from the given distance along it.
+/// Whether light reaches the origin of a ray from the given distance along it. A surface that the light lies on, to 2⁻¹³ of
+/// the distance, is not in its way.
 #[inline]
 pub(crate) fn is_lit<T: Real, const EFFECTS: u64>(scene: &Scene<'_, T>, ray: &Ray<T>, distance: T) -> bool {
-    !occluded::<T, EFFECTS>(scene.objects, ray, distance)
+    !occluded::<T, EFFECTS>(scene.objects, ray, distance * T::from_f32(1.0 - 1.0 / 8192.0))
 }

@@ -2,7 +2,7 @@
 
 use core::ptr;
 
-use crate::intersect::{Hit, Ray, encloses};
+use crate::intersect::{Hit, Ray, encloses, meets};
 use crate::math::{Real, Rgb};
 use crate::optics::transmittance;
 use crate::scene::{Effects, Index, Medium, Object, Scene};
@@ -13,6 +13,14 @@ use crate::scene::{Effects, Index, Medium, Object, Scene};
 /// With `MEDIA` = 0 nothing is remembered, and each transparent object is taken to border on the scene's medium.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Media<const MEDIA: usize>([u16; MEDIA]);
+
+/// A ray that goes through a surface.
+pub(super) struct Crossing<'c, 'a, T> {
+    pub hit: &'c Hit<'a, T>,
+    pub ray: &'c Ray<T>,
+    /// How far behind the contact another surface may lie and count as crossed at once: the next ray starts behind it.
+    pub reach: T,
+}
 
 /// Free places come last in the list; no object has this number.
 const FREE: u16 = u16::MAX;
@@ -65,10 +73,11 @@ impl<const MEDIA: usize> Media<MEDIA> {
     pub(super) fn border<T: Real, const EFFECTS: u64>(
         &self,
         scene: &Scene<'_, T>,
-        hit: &Hit<'_, T>,
+        crossing: &Crossing<'_, '_, T>,
     ) -> Border<T, MEDIA> {
         let real = |before, behind| Border { before, behind, media: *self, is_real: true, overflow: false };
         let transparent = Effects::from_bits(EFFECTS).has(Effects::CONSTANT.with(Effects::DIELECTRIC));
+        let hit = crossing.hit;
         let inside = if transparent { hit.object.material.interface.medium() } else { None };
         let Some(Medium { index: inside, .. }) = inside else {
             return real(self.medium(scene).index, None);
@@ -77,23 +86,39 @@ impl<const MEDIA: usize> Media<MEDIA> {
             let outside = scene.medium.index;
             return if hit.contact.front() { real(outside, Some(inside)) } else { real(inside, Some(outside)) };
         }
-        let (media, overflow) = self.behind(scene, hit);
+        let (media, overflow) = self.behind::<T, EFFECTS>(scene, crossing, |_| true);
         let is_real = self.0.first() != media.0.first();
         let (before, behind) = (self.medium(scene).index, Some(media.medium(scene).index));
         Border { before, behind, media, is_real, overflow }
     }
 
     /// The media behind the surface of a transparent object, and whether there was no room for one of them.
-    pub(super) fn behind<T: Real>(&self, scene: &Scene<'_, T>, hit: &Hit<'_, T>) -> (Self, bool) {
-        let mut media = *self;
-        let number = scene.objects.iter().position(|object| ptr::eq(object, hit.object));
-        let number = number.and_then(|number| u16::try_from(number).ok()).unwrap_or(FREE);
-        if hit.contact.front() {
-            let overflow = !media.enter(scene, number);
-            return (media, overflow);
+    ///
+    /// Other objects that `look_at` admits are entered or left with it where their surfaces coincide with it, as those of
+    /// a glass and the water in it.
+    pub(super) fn behind<T: Real, const EFFECTS: u64>(
+        &self,
+        scene: &Scene<'_, T>,
+        crossing: &Crossing<'_, '_, T>,
+        look_at: impl Fn(&Object<'_, T>) -> bool,
+    ) -> (Self, bool) {
+        let &Crossing { hit, ray, reach } = crossing;
+        let (mut media, mut overflow) = (*self, false);
+        for (number, object) in (0..FREE).zip(scene.objects) {
+            let front = if ptr::eq(object, hit.object) {
+                Some(hit.contact.front())
+            } else if object.material.interface.medium().is_some() && look_at(object) {
+                meets::<T, EFFECTS>(object, ray, hit.contact.t + reach)
+            } else {
+                None
+            };
+            match front {
+                Some(true) => overflow |= !media.enter(scene, number),
+                Some(false) => media.leave(scene, number),
+                None => {}
+            }
         }
-        media.leave(scene, number);
-        (media, false)
+        (media, overflow)
     }
 
     /// Puts an object into its place in the list; `false` when that pushes the lowest one out.
@@ -240,7 +265,7 @@ mod tests {
                 let hit = next_surface::<f64, ALL>(&scene, &ray).unwrap();
                 assert!(ptr::eq(hit.object, &objects[event["obj"].as_u64().unwrap() as usize]), "{event}");
                 assert_eq!(hit.contact.front(), event["kind"] == "enter", "{event}");
-                let border = media.border::<f64, ALL>(&scene, &hit);
+                let border = media.border::<f64, ALL>(&scene, &Crossing { hit: &hit, ray: &ray, reach: 0.0 });
                 assert_eq!(Value::from(border.is_real), event["real"], "{event}");
                 assert_eq!(Some(border.before.at(None)), event["n1"].as_f64(), "{event}");
                 assert_eq!(border.behind.map(|index| index.at(None)), event["n2"].as_f64(), "{event}");

@@ -1,11 +1,11 @@
 //! How much of a light's light gets to a point.
 
 use super::illumination::Illumination;
-use super::media::Media;
+use super::media::{Crossing, Media};
 use super::{Cut, MOST_PASSED, Observer};
 use crate::math::{Real, Rgb};
 use crate::path::{is_lit, next_tinted_surface};
-use crate::scene::{Effects, Scene, Shadow};
+use crate::scene::{Effects, Object, Scene, Shadow};
 
 /// How much of a light's light gets to a point.
 pub(super) struct Share<T> {
@@ -35,7 +35,8 @@ pub(super) fn light_share<T: Real, const EFFECTS: u64, const MEDIA: usize, O: Ob
     if !effects.has(Effects::ATTENUATION) {
         return straight(Some(Rgb::WHITE));
     }
-    let mut media = media.filtered(scene, |object| object.shadow == Shadow::Tinted);
+    let is_tinted = |object: &Object<'_, T>| object.shadow == Shadow::Tinted;
+    let mut media = media.filtered(scene, is_tinted);
     if !effects.has(Effects::TINTED_SHADOW) {
         return straight(Some(media.transmittance(scene, distance)));
     }
@@ -49,12 +50,14 @@ pub(super) fn light_share<T: Real, const EFFECTS: u64, const MEDIA: usize, O: Ob
         passed += 1;
         share = share * media.transmittance(scene, hit.contact.t);
         left = (left - hit.contact.t).max(T::ZERO);
-        let (behind, overflow) = media.behind(scene, &hit);
+        let surface = hit.surface::<EFFECTS>(&ray);
+        let crossing = Crossing { hit: &hit, ray: &ray, reach: surface.reach(ray.direction, hit.contact.t) };
+        let (behind, overflow) = media.behind::<T, EFFECTS>(scene, &crossing, is_tinted);
         if overflow {
             observer.media_overflow();
         }
         media = behind;
-        ray = hit.surface::<EFFECTS>(&ray).leave(ray.direction, !hit.contact.front());
+        ray = surface.leave(ray.direction, !hit.contact.front());
     }
     Share { light: Some(share * media.transmittance(scene, left)), passed }
 }

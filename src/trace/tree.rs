@@ -7,7 +7,7 @@
 use heapless::{Vec, VecView};
 
 use super::background::background;
-use super::media::Media;
+use super::media::{Crossing, Media};
 use super::meeting::Meeting;
 use super::shade::{Samples, Shading};
 use super::{Budget, Cut, MOST_PASSED, Observer, RayKind, Termination};
@@ -23,7 +23,7 @@ pub(super) struct Branch<T, const MEDIA: usize> {
     pub throughput: Rgb<T>,
     /// What the ray's origin lies in.
     pub media: Media<MEDIA>,
-    pub depth: u8,
+    pub depth: u16,
     /// Surfaces that it went straight through since the last bounce.
     pub passed: u8,
     pub kind: RayKind,
@@ -167,11 +167,12 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             self.gathered += branch.throughput * background::<T, EFFECTS>(scene, branch.ray.direction);
             return;
         };
-        let border = branch.media.border::<T, EFFECTS>(scene, &hit);
+        let surface = hit.surface::<EFFECTS>(&branch.ray);
+        let reach = if MEDIA > 0 { surface.reach(branch.ray.direction, hit.contact.t) } else { T::ZERO };
+        let border = branch.media.border::<T, EFFECTS>(scene, &Crossing { hit: &hit, ray: &branch.ray, reach });
         if border.overflow {
             observer.media_overflow();
         }
-        let surface = hit.surface::<EFFECTS>(&branch.ray);
         let front = hit.contact.front();
         if !border.is_real {
             let ray = surface.leave(branch.ray.direction, !front);
@@ -258,7 +259,7 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         if weight <= T::ZERO {
             return;
         }
-        if branch.depth > context.budget.depth {
+        if branch.depth > u16::from(context.budget.depth) {
             self.cut::<EFFECTS, O>(context, &branch, Cut::Depth, observer);
         } else if weight < context.budget.cutoff {
             self.cut::<EFFECTS, O>(context, &branch, Cut::Cutoff, observer);
