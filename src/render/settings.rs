@@ -5,7 +5,7 @@ use core::ops::Range;
 
 use super::{Order, Sampling, Size};
 use crate::math::Real;
-use crate::trace::{Budget, Termination};
+use crate::trace::{Budget, MOST_BOUNCES, Termination};
 
 /// What is to be rendered, and how well.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,8 +55,9 @@ impl<T: Real> Settings<T> {
         if self.rows.is_empty() || self.rows.end > self.size.height {
             return Err(SettingsError::Rows { start: self.rows.start, end: self.rows.end, height: self.size.height });
         }
-        if usize::from(self.budget.depth) > depth {
-            return Err(SettingsError::Depth { asked: self.budget.depth, most: depth });
+        let most = depth.min(usize::from(MOST_BOUNCES));
+        if usize::from(self.budget.depth) > most {
+            return Err(SettingsError::Depth { asked: self.budget.depth, most });
         }
         let finite = |x: T| x >= T::ZERO && x <= T::MAX;
         if !finite(self.budget.cutoff) {
@@ -93,11 +94,11 @@ pub enum SettingsError {
         /// Rows of the picture.
         height: u32,
     },
-    /// More bounces than the tracer's stack has room for.
+    /// More bounces than the tracer's stack has room for, or than can be counted.
     Depth {
         /// What was asked.
         asked: u8,
-        /// The tracer's `DEPTH`.
+        /// The tracer's `DEPTH`, or 254 where that is more.
         most: usize,
     },
     /// A number that must be finite and not negative.

@@ -5,7 +5,7 @@ use crate::math::{Real, Rgb};
 /// The limits of a ray tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Budget<T> {
-    /// The number of bounces, at most the tracer's `DEPTH`; 0 is eye rays alone.
+    /// The number of bounces, at most the tracer's `DEPTH` and [`MOST_BOUNCES`]; 0 is eye rays alone.
     pub depth: u8,
     /// A branch is cut when the largest channel of its throughput is below this; 0 cuts nothing.
     pub cutoff: T,
@@ -16,6 +16,9 @@ pub struct Budget<T> {
     /// What a branch that is cut contributes.
     pub termination: Termination<T>,
 }
+
+/// The largest number of bounces: the next one is counted in a byte as well.
+pub const MOST_BOUNCES: u8 = 254;
 
 /// How many surfaces in a row a ray may go straight through: branches inside a medium of higher priority, and shadow rays
 /// in tinted media. It takes no depth, and this bounds it.

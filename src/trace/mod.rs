@@ -14,7 +14,7 @@ mod split;
 mod tracer;
 mod tree;
 
-pub use budget::{Budget, MOST_PASSED, Termination};
+pub use budget::{Budget, MOST_BOUNCES, MOST_PASSED, Termination};
 pub(crate) use illumination::concentric;
 pub use observer::{Cut, Dropped, Observer, RayKind, Stats};
 pub use sequence::Sequence;

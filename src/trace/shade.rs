@@ -26,7 +26,7 @@ pub(crate) struct Shading<'a, T, const MEDIA: usize> {
     /// What the viewer's side of the point lies in.
     media: Media<MEDIA>,
     /// Depth of the branch.
-    depth: u16,
+    depth: u8,
     /// The light that is next.
     light: usize,
 }

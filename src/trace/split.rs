@@ -34,7 +34,7 @@ type Weights<T> = (Rgb<T>, Option<(Rgb<T>, T)>);
 impl<T: Real> Facing<T> {
     /// `depth` is the number of bounces before. Each leaves the direction good to 8 roundings: 3 of the new direction, as
     /// many of its length, and 2 of the normal, which turns within the rounding of the point as well.
-    pub(super) fn new(surface: &Surface<T>, front: bool, incident: Vec3<T>, depth: u16) -> Self {
+    pub(super) fn new(surface: &Surface<T>, front: bool, incident: Vec3<T>, depth: u8) -> Self {
         let (geometric, normal) = surface.normals(front);
         let bounces = T::from_u32(u32::from(depth) + 1);
         let uncertainty = bounces * (T::from_f32(8.0) * T::ROUNDOFF + surface.turn);

@@ -10,7 +10,7 @@ use super::background::background;
 use super::media::{Crossing, Media};
 use super::meeting::Meeting;
 use super::shade::{Samples, Shading};
-use super::{Budget, Cut, MOST_PASSED, Observer, RayKind, Termination};
+use super::{Budget, Cut, MOST_BOUNCES, MOST_PASSED, Observer, RayKind, Termination};
 use crate::intersect::Ray;
 use crate::math::{Real, Rgb};
 use crate::path::next_surface;
@@ -23,7 +23,7 @@ pub(super) struct Branch<T, const MEDIA: usize> {
     pub throughput: Rgb<T>,
     /// What the ray's origin lies in.
     pub media: Media<MEDIA>,
-    pub depth: u16,
+    pub depth: u8,
     /// Surfaces that it went straight through since the last bounce.
     pub passed: u8,
     pub kind: RayKind,
@@ -259,7 +259,7 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         if weight <= T::ZERO {
             return;
         }
-        if branch.depth > u16::from(context.budget.depth) {
+        if branch.depth > context.budget.depth.min(MOST_BOUNCES) {
             self.cut::<EFFECTS, O>(context, &branch, Cut::Depth, observer);
         } else if weight < context.budget.cutoff {
             self.cut::<EFFECTS, O>(context, &branch, Cut::Cutoff, observer);
