@@ -1,0 +1,143 @@
+//! Frames, in steps of two sizes.
+
+use whit::render::{Pixel, Progress, Sampling};
+use whit::trace::Dropped;
+use whit::{Budget, Frame, Real, Scene, Settings, Stats, Termination};
+
+use super::bound::limits;
+use super::canvas::Canvas;
+use super::watch::Watch;
+use super::{Any, Fault, Order, Outcome, require};
+
+/// A picture that could take more steps of one ray than this is left unfinished after `SOME`.
+const MOST: u64 = 20_000;
+const SOME: u64 = 1500;
+
+/// What came of a frame.
+struct Rendered {
+    canvas: Canvas,
+    stats: Stats,
+    watch: Watch,
+    /// Weights that were cut, per pixel.
+    dropped: Vec<(u32, u32, [u32; 3])>,
+    is_done: bool,
+}
+
+impl<T: Real> Order<'_, T> {
+    pub(super) fn check_frames<const MEDIA: usize>(&self, tracer: &Any<'_, T, MEDIA>) -> Result<Outcome, Fault> {
+        if let Err(error) = Frame::new(tracer, self.settings.clone()) {
+            require(error.to_string().len() > 10, || format!("says little: {error}"))?;
+            return Ok(Outcome::Refused);
+        }
+        let rendered = self.render(tracer, self.step)?;
+        self.check_pixels(&rendered)?;
+        let whole = self.render(tracer, u32::MAX)?;
+        self.check_pixels(&whole)?;
+        let bits = |pixel: &Pixel| {
+            (pixel.x, pixel.y, pixel.cell, [pixel.color.r, pixel.color.g, pixel.color.b].map(f32::to_bits))
+        };
+        let same = rendered.canvas.pixels.iter().zip(&whole.canvas.pixels).find(|(a, b)| bits(a) != bits(b));
+        require(same.is_none(), || format!("steps of {} and all at once give other pixels: {same:?}", self.step))?;
+        let same = rendered.dropped.iter().zip(&whole.dropped).all(|(a, b)| a == b);
+        require(same, || "other weights are dropped in steps".into())?;
+        if rendered.is_done && whole.is_done {
+            require(rendered.stats == whole.stats, || format!("{:?} in steps, {:?}", rendered.stats, whole.stats))?;
+        }
+        Ok(Outcome::Rendered)
+    }
+
+    fn render<const MEDIA: usize>(&self, tracer: &Any<'_, T, MEDIA>, step: u32) -> Result<Rendered, Fault> {
+        let mut dropped = Vec::new();
+        let drop = Dropped::new(|x, y, w| dropped.push((x, y, [w.r, w.g, w.b].map(f32::to_bits))));
+        let mut canvas = Canvas::new(self.settings.size);
+        let observer = (Stats::default(), (Watch::default(), drop));
+        let mut frame = Frame::observed(tracer, self.settings.clone(), observer).map_err(|error| error.to_string())?;
+        let most = most_work(self.scene, &self.settings);
+        let limit = if most > MOST { SOME } else { most };
+        let step = u64::from(step).min(limit) as u32;
+        // The last step may trace nothing.
+        let steps = limit.div_ceil(u64::from(step)) + 1;
+        let (mut is_done, mut before) = (false, 0);
+        for _ in 0..steps {
+            is_done = frame.step(step, &mut canvas).map_err(|error| error.to_string())? == Progress::Done;
+            let rays = frame.observer().0.rays();
+            require(rays - before <= u64::from(step), || format!("{} rays in a step of {step}", rays - before))?;
+            before = rays;
+            if is_done {
+                break;
+            }
+        }
+        require(is_done || most > MOST, || format!("not done after {steps} steps of {step}"))?;
+        let (stats, watch) = (frame.observer().0, frame.observer().1.0);
+        Ok(Rendered { canvas, stats, watch, dropped, is_done })
+    }
+
+    fn check_pixels(&self, rendered: &Rendered) -> Result<(), Fault> {
+        let Rendered { canvas, stats, watch, dropped, is_done } = rendered;
+        let (rows, budget) = (&self.settings.rows, &self.settings.budget);
+        let (highest, lowest) = limits(self.scene, &self.settings, u64::from(budget.rays_per_pixel).min(200_000));
+        for pixel in &canvas.pixels {
+            let fine = |x: f32| {
+                x.is_finite() && f64::from(x) >= lowest && (f64::from(x) <= highest || is_too_bright::<T>(highest))
+            };
+            let color = pixel.color;
+            require(fine(color.r) && fine(color.g) && fine(color.b), || {
+                format!("{pixel:?}, not from {lowest:e} to {highest:e}")
+            })?;
+            require(rows.contains(&pixel.y) && pixel.x < self.settings.size.width, || format!("outside: {pixel:?}"))?;
+        }
+        require(canvas.is_each_once(), || "a pixel came twice".into())?;
+        let all = u64::from(rows.end - rows.start) * u64::from(self.settings.size.width);
+        let count = canvas.pixels.len();
+        require(!is_done || count as u64 == all, || format!("{count} of {all} pixels"))?;
+        require(watch.rays == stats.rays(), || format!("{} rays, not {}", stats.rays(), watch.rays))?;
+        require(watch.most_rays <= u64::from(budget.rays_per_pixel), || {
+            format!("{} rays in a pixel", watch.most_rays)
+        })?;
+        require(watch.most_samples <= self.settings.sampling.most(), || "too many samples".into())?;
+        require(watch.pixels == dropped.len(), || "a pixel was not told of".into())?;
+        require(!watch.is_odd, || "a weight that was cut is no weight".into())
+    }
+}
+
+/// Whether the number type may overflow, so that the largest number is right.
+fn is_too_bright<T: Real>(highest: f64) -> bool {
+    let narrow = T::MAX.to_f32() == f32::MAX;
+    // A half for the sum of some samples.
+    highest > f64::from(f32::MAX) * if narrow { 1e-3 } else { 1.0 }
+}
+
+/// The most steps of one ray that a frame can take.
+fn most_work<T: Real>(scene: &Scene<'_, T>, settings: &Settings<T>) -> u64 {
+    let pixels = u64::from(settings.size.width) * u64::from(settings.rows.end - settings.rows.start);
+    let samples = u64::from(settings.sampling.most());
+    let rays = u64::from(settings.budget.rays_per_pixel) / samples.max(1);
+    // Besides the rays themselves: every branch that waits may be cut, and the lights of the last surface may be seen
+    // through 255 others.
+    let lights = scene.lights.len() as u64 * u64::from(whit::trace::MOST_PASSED);
+    let is_tinted = scene.objects.iter().any(|object| object.shadow == whit::scene::Shadow::Tinted);
+    pixels.saturating_mul(samples).saturating_mul(rays + 14 + if is_tinted { lights } else { 0 })
+}
+
+/// The same settings in `f64`.
+pub fn widened(settings: &Settings<f32>) -> Settings<f64> {
+    let Settings { size, rows, order, sampling, budget } = settings.clone();
+    let sampling = match sampling {
+        Sampling::Grid(n) => Sampling::Grid(n),
+        Sampling::Sequence(n) => Sampling::Sequence(n),
+        Sampling::Adaptive { first, most, contrast } => Sampling::Adaptive { first, most, contrast: contrast.into() },
+    };
+    let Budget { depth, cutoff, rays_per_pixel, termination } = budget;
+    let termination = match termination {
+        Termination::Background => Termination::Background,
+        Termination::Black => Termination::Black,
+        Termination::Color(color) => Termination::Color(color.map(f64::from)),
+    };
+    Settings {
+        size,
+        rows,
+        order,
+        sampling,
+        budget: Budget { depth, cutoff: cutoff.into(), rays_per_pixel, termination },
+    }
+}

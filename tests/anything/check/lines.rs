@@ -1,0 +1,51 @@
+//! Single rays.
+
+use whit::{Budget, Intersection, Ray, Real, Rgb, Scene, Settings, Stats, Tone, Vec3};
+
+use super::bound::limits;
+use super::{Any, Fault, Order, require};
+
+/// So many rays at most come of one.
+const MOST: u32 = 300;
+
+impl<T: Real> Order<'_, T> {
+    pub(super) fn check_rays<const MEDIA: usize>(&self, tracer: &Any<'_, T, MEDIA>) -> Result<(), Fault> {
+        for ray in &self.rays {
+            if let Some(intersection) = tracer.intersect(ray) {
+                require(is_fine(&intersection, ray), || format!("{intersection:?} of {ray:?}"))?;
+            }
+            let rays_per_pixel = self.settings.budget.rays_per_pixel.min(MOST);
+            let budget = Budget { rays_per_pixel, ..self.settings.budget };
+            let mut stats = Stats::default();
+            let light = tracer.trace(*ray, &budget, &mut stats);
+            require(stats.rays() <= u64::from(rays_per_pixel), || format!("{stats:?} of {ray:?}"))?;
+            self.check_light(light).map_err(|fault| format!("{fault} of {ray:?}"))?;
+        }
+        Ok(())
+    }
+
+    /// A number, and no more than there can be; where the scene is too bright for the number type, infinity too.
+    fn check_light(&self, light: Rgb<T>) -> Result<(), Fault> {
+        let settings = Settings { budget: self.settings.budget, ..Settings::new(1, 1) };
+        let linear = Scene { tone: Tone::Linear, ..*self.scene };
+        let (highest, _) = limits(&linear, &settings, u64::from(MOST));
+        let is_bright = highest > f64::from(T::MAX.to_f32().min(f32::MAX)) * 1e-3;
+        let most = if is_bright { T::MAX * T::TWO } else { T::from_f32((highest as f32).max(f32::MIN_POSITIVE)) };
+        let fine = |x: T| x >= T::ZERO && x <= most;
+        require(fine(light.r) && fine(light.g) && fine(light.b), || format!("{light:?}, more than {highest:e}"))
+    }
+}
+
+fn is_fine<T: Real>(intersection: &Intersection<T>, ray: &Ray<T>) -> bool {
+    let finite = |v: Vec3<T>| [v.x, v.y, v.z].into_iter().all(|x| x.abs() <= T::MAX);
+    let length = intersection.normal.length();
+    // A triangle without an area has no normal.
+    let is_unit = length == T::ZERO || (length - T::ONE).abs() < T::from_f32(1e-5);
+    let left = intersection.leave(-ray.direction);
+    intersection.distance > T::ZERO
+        && intersection.distance < T::MAX
+        && is_unit
+        && finite(intersection.point)
+        && finite(intersection.offset)
+        && finite(left.origin)
+}

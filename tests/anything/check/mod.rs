@@ -1,0 +1,109 @@
+//! What must hold for whatever is asked: an error that says what is wrong, or finite pixels within the budget.
+
+mod bound;
+mod canvas;
+mod frame;
+mod lines;
+mod nff;
+mod watch;
+
+use whit::{Effects, Ray, Real, Scene, SceneBuf, Settings, Tracer};
+
+use crate::generator::{Outcome, Run, text};
+pub use nff::check_file;
+
+/// What went wrong.
+pub type Fault = String;
+
+/// A tracer of everything, with room for 8 bounces in scenes with dispersion too.
+type Any<'a, T, const MEDIA: usize> = Tracer<'a, T, { Effects::ALL.bits() }, 10, MEDIA>;
+
+/// What is asked for, in one number type.
+struct Order<'o, T> {
+    scene: &'o Scene<'o, T>,
+    settings: Settings<T>,
+    step: u32,
+    rays: Vec<Ray<T>>,
+}
+
+/// A run out of bytes.
+///
+/// # Errors
+/// Says what does not hold, and for what.
+pub fn check_bytes(bytes: &[u8]) -> Result<Outcome, Fault> {
+    let run = Run::from_bytes(bytes);
+    check_run(&run).map_err(|fault| format!("{fault}\n{run:?}"))
+}
+
+/// A file that looks like one, out of bytes.
+///
+/// # Errors
+/// Says what does not hold, and for what.
+pub fn check_text(bytes: &[u8]) -> Result<Outcome, Fault> {
+    let text = text(bytes);
+    check_file(text.as_bytes()).map_err(|fault| format!("{fault}\n{text}"))
+}
+
+fn check_run(run: &Run) -> Result<Outcome, Fault> {
+    let objects = run.objects();
+    let scene = run.scene(&objects);
+    check_scene(&scene, &run.settings, run.tracer, run.step, &run.rays)
+}
+
+/// A scene in both number types.
+fn check_scene(
+    scene: &Scene<'_, f32>,
+    settings: &Settings<f32>,
+    tracer: u8,
+    step: u32,
+    rays: &[Ray<f32>],
+) -> Result<Outcome, Fault> {
+    let order = Order { scene, settings: settings.clone(), step, rays: rays.to_vec() };
+    let outcome = order.check(tracer)?;
+    let Ok(wide) = SceneBuf::<f64, 128, 4>::from_scene(scene, f64::from) else { return Ok(outcome) };
+    let wide = wide.as_scene();
+    require(verdict(&wide) == verdict(scene), || "f64 is refused differently".into())?;
+    let order =
+        Order { scene: &wide, settings: frame::widened(settings), step, rays: rays.iter().map(widen).collect() };
+    order.check(tracer)?;
+    Ok(outcome)
+}
+
+fn widen(ray: &Ray<f32>) -> Ray<f64> {
+    Ray { origin: ray.origin.map(f64::from), direction: ray.direction.map(f64::from) }
+}
+
+/// What validation does not like; not where, which is different where each primitive is an object of its own.
+fn verdict<T: Real>(scene: &Scene<'_, T>) -> Option<(&'static str, &'static str)> {
+    scene.validate().err().map(|error| (error.field, error.expected))
+}
+
+impl<T: Real> Order<'_, T> {
+    /// By one of several tracers.
+    fn check(&self, tracer: u8) -> Result<Outcome, Fault> {
+        match tracer % 4 {
+            0 => self.check_with::<0>(),
+            1 => self.check_with::<2>(),
+            _ => self.check_with::<8>(),
+        }
+    }
+
+    fn check_with<const MEDIA: usize>(&self) -> Result<Outcome, Fault> {
+        let tracer = match Any::<T, MEDIA>::try_new(self.scene) {
+            Ok(tracer) => tracer,
+            Err(error) => {
+                require(error.to_string().len() > 10, || format!("says little: {error}"))?;
+                return Ok(Outcome::Refused);
+            }
+        };
+        let outcome = self.check_frames(&tracer)?;
+        if outcome == Outcome::Rendered {
+            self.check_rays(&tracer)?;
+        }
+        Ok(outcome)
+    }
+}
+
+fn require(holds: bool, fault: impl FnOnce() -> Fault) -> Result<(), Fault> {
+    if holds { Ok(()) } else { Err(fault()) }
+}
