@@ -2,7 +2,7 @@
 
 use whit::render::{Pixel, Progress, Sampling};
 use whit::trace::Dropped;
-use whit::{Budget, Frame, Real, Scene, Settings, Stats, Termination};
+use whit::{Budget, Frame, Real, Settings, Stats, Termination};
 
 use super::bound::limits;
 use super::canvas::Canvas;
@@ -52,7 +52,7 @@ impl<T: Real> Order<'_, T> {
         let mut canvas = Canvas::new(self.settings.size);
         let observer = (Stats::default(), (Watch::default(), drop));
         let mut frame = Frame::observed(tracer, self.settings.clone(), observer).map_err(|error| error.to_string())?;
-        let most = most_work(self.scene, &self.settings);
+        let most = most_work(&self.settings);
         let limit = if most > MOST { SOME } else { most };
         let step = u64::from(step).min(limit) as u32;
         // The last step may trace nothing.
@@ -108,15 +108,12 @@ fn is_too_bright<T: Real>(highest: f64) -> bool {
 }
 
 /// The most steps of one ray that a frame can take.
-fn most_work<T: Real>(scene: &Scene<'_, T>, settings: &Settings<T>) -> u64 {
+fn most_work<T: Real>(settings: &Settings<T>) -> u64 {
     let pixels = u64::from(settings.size.width) * u64::from(settings.rows.end - settings.rows.start);
     let samples = u64::from(settings.sampling.most());
     let rays = u64::from(settings.budget.rays_per_pixel) / samples.max(1);
-    // Besides the rays themselves: every branch that waits may be cut, and the lights of the last surface may be seen
-    // through 255 others.
-    let lights = scene.lights.len() as u64 * u64::from(whit::trace::MOST_PASSED);
-    let is_tinted = scene.objects.iter().any(|object| object.shadow == whit::scene::Shadow::Tinted);
-    pixels.saturating_mul(samples).saturating_mul(rays + 14 + if is_tinted { lights } else { 0 })
+    // Besides the rays themselves, every branch that waits may be cut.
+    pixels.saturating_mul(samples).saturating_mul(rays + 14)
 }
 
 /// The same settings in `f64`.
