@@ -5,6 +5,9 @@
 use whit::scene::{Body, Highlight};
 use whit::{Background, Light, Material, Pattern, Real, Rgb, Scene, Settings, Termination, Tone};
 
+/// What underflow may add up to.
+const SMALLEST: f64 = 1e-35;
+
 /// An upper bound on a pixel, and a lower one.
 pub fn limits<T: Real>(scene: &Scene<'_, T>, settings: &Settings<T>, branches: u64) -> (f64, f64) {
     let far = match scene.background {
@@ -22,8 +25,8 @@ pub fn limits<T: Real>(scene: &Scene<'_, T>, settings: &Settings<T>, branches: u
     let weight = 2.0_f64.powi(i32::from(settings.budget.depth).min(16) + 1);
     let light = (far.max(cut) * 6.0 + own) * weight * (branches as f64 + 1.0);
     match scene.tone {
-        Tone::Linear => (light * 1.01, 0.0),
-        Tone::Display { gain, lift } => ((light * value(gain) + value(lift).max(0.0)) * 1.01, value(lift)),
+        Tone::Linear => (light * 1.01 + SMALLEST, 0.0),
+        Tone::Display { gain, lift } => ((light * value(gain) + value(lift).max(0.0)) * 1.01 + SMALLEST, value(lift)),
     }
 }
 

@@ -1,52 +1,56 @@
 //! Frames, in steps of two sizes.
 
-use whit::render::{Pixel, Progress, Sampling};
+use whit::render::{Progress, Sampling};
 use whit::trace::Dropped;
 use whit::{Budget, Frame, Real, Settings, Stats, Termination};
 
 use super::bound::limits;
 use super::canvas::Canvas;
+use super::rendered::Rendered;
 use super::watch::Watch;
-use super::{Any, Fault, Order, Outcome, require};
+use super::{Everything, Fault, LARGE, Order, Outcome, require};
 
 /// A picture that could take more steps of one ray than this is left unfinished after `SOME`.
 const MOST: u64 = 20_000;
 const SOME: u64 = 1500;
 
-/// What came of a frame.
-struct Rendered {
-    canvas: Canvas,
-    stats: Stats,
-    watch: Watch,
-    /// Weights that were cut, per pixel.
-    dropped: Vec<(u32, u32, [u32; 3])>,
-    is_done: bool,
-}
+/// A stack that some scenes need to the last entry.
+const SMALL: usize = 4;
 
 impl<T: Real> Order<'_, T> {
-    pub(super) fn check_frames<const MEDIA: usize>(&self, tracer: &Any<'_, T, MEDIA>) -> Result<Outcome, Fault> {
+    pub(super) fn check_frames<const MEDIA: usize>(
+        &self,
+        tracer: &Everything<'_, T, LARGE, MEDIA>,
+    ) -> Result<Outcome, Fault> {
         if let Err(error) = Frame::new(tracer, self.settings.clone()) {
             require(error.to_string().len() > 10, || format!("says little: {error}"))?;
             return Ok(Outcome::Refused);
         }
-        let rendered = self.render(tracer, self.step)?;
-        self.check_pixels(&rendered)?;
+        let in_steps = self.render(tracer, self.step)?;
+        self.check_pixels(&in_steps)?;
         let whole = self.render(tracer, u32::MAX)?;
         self.check_pixels(&whole)?;
-        let bits = |pixel: &Pixel| {
-            (pixel.x, pixel.y, pixel.cell, [pixel.color.r, pixel.color.g, pixel.color.b].map(f32::to_bits))
-        };
-        let same = rendered.canvas.pixels.iter().zip(&whole.canvas.pixels).find(|(a, b)| bits(a) != bits(b));
-        require(same.is_none(), || format!("steps of {} and all at once give other pixels: {same:?}", self.step))?;
-        let same = rendered.dropped.iter().zip(&whole.dropped).all(|(a, b)| a == b);
-        require(same, || "other weights are dropped in steps".into())?;
-        if rendered.is_done && whole.is_done {
-            require(rendered.stats == whole.stats, || format!("{:?} in steps, {:?}", rendered.stats, whole.stats))?;
+        in_steps.compare(&whole).map_err(|fault| format!("in steps of {} {fault}", self.step))?;
+        if MEDIA == 8 {
+            self.check_exact_stack(&whole)?;
         }
         Ok(Outcome::Rendered)
     }
 
-    fn render<const MEDIA: usize>(&self, tracer: &Any<'_, T, MEDIA>, step: u32) -> Result<Rendered, Fault> {
+    /// Where it would just do: a stack of exactly the size that is asked for gives the same picture.
+    fn check_exact_stack(&self, whole: &Rendered) -> Result<(), Fault> {
+        if self.scene.stack(self.settings.budget.depth.into()) != SMALL {
+            return Ok(());
+        }
+        let tracer = Everything::<T, SMALL, 8>::try_new(self.scene).map_err(|error| error.to_string())?;
+        self.render(&tracer, u32::MAX)?.compare(whole).map_err(|fault| format!("with a small stack {fault}"))
+    }
+
+    fn render<const DEPTH: usize, const MEDIA: usize>(
+        &self,
+        tracer: &Everything<'_, T, DEPTH, MEDIA>,
+        step: u32,
+    ) -> Result<Rendered, Fault> {
         let mut dropped = Vec::new();
         let drop = Dropped::new(|x, y, w| dropped.push((x, y, [w.r, w.g, w.b].map(f32::to_bits))));
         let mut canvas = Canvas::new(self.settings.size);
@@ -100,11 +104,10 @@ impl<T: Real> Order<'_, T> {
     }
 }
 
-/// Whether the number type may overflow, so that the largest number is right.
+/// Whether the number type may overflow on the way, so that the largest number is right.
 fn is_too_bright<T: Real>(highest: f64) -> bool {
-    let narrow = T::MAX.to_f32() == f32::MAX;
-    // A half for the sum of some samples.
-    highest > f64::from(f32::MAX) * if narrow { 1e-3 } else { 1.0 }
+    let is_wide = T::MAX.to_f32() != f32::MAX;
+    highest > f64::from(f32::MAX) * if is_wide { 1.0 } else { 1e-3 }
 }
 
 /// The most steps of one ray that a frame can take.

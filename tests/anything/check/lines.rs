@@ -3,13 +3,13 @@
 use whit::{Budget, Intersection, Ray, Real, Rgb, Scene, Settings, Stats, Tone, Vec3};
 
 use super::bound::limits;
-use super::{Any, Fault, Order, require};
+use super::{Everything, Fault, LARGE, Order, require};
 
 /// So many rays at most come of one.
 const MOST: u32 = 300;
 
 impl<T: Real> Order<'_, T> {
-    pub(super) fn check_rays<const MEDIA: usize>(&self, tracer: &Any<'_, T, MEDIA>) -> Result<(), Fault> {
+    pub(super) fn check_rays<const MEDIA: usize>(&self, tracer: &Everything<'_, T, LARGE, MEDIA>) -> Result<(), Fault> {
         for ray in &self.rays {
             if let Some(intersection) = tracer.intersect(ray) {
                 require(is_fine(&intersection, ray), || format!("{intersection:?} of {ray:?}"))?;

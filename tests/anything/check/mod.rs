@@ -5,6 +5,7 @@ mod canvas;
 mod frame;
 mod lines;
 mod nff;
+mod rendered;
 mod watch;
 
 use whit::{Effects, Ray, Real, Scene, SceneBuf, Settings, Tracer};
@@ -15,8 +16,11 @@ pub use nff::check_file;
 /// What went wrong.
 pub type Fault = String;
 
-/// A tracer of everything, with room for 8 bounces in scenes with dispersion too.
-type Any<'a, T, const MEDIA: usize> = Tracer<'a, T, { Effects::ALL.bits() }, 10, MEDIA>;
+/// A tracer of all effects.
+type Everything<'a, T, const DEPTH: usize, const MEDIA: usize> = Tracer<'a, T, { Effects::ALL.bits() }, DEPTH, MEDIA>;
+
+/// A stack for 8 bounces in scenes with dispersion too.
+const LARGE: usize = 10;
 
 /// What is asked for, in one number type.
 struct Order<'o, T> {
@@ -60,17 +64,22 @@ fn check_scene(
 ) -> Result<Outcome, Fault> {
     let order = Order { scene, settings: settings.clone(), step, rays: rays.to_vec() };
     let outcome = order.check(tracer)?;
-    let Ok(wide) = SceneBuf::<f64, 128, 4>::from_scene(scene, f64::from) else { return Ok(outcome) };
+    let Ok(wide) = SceneBuf::<f64, 128, 4>::from_scene(scene, |x| widen(x, tracer)) else { return Ok(outcome) };
     let wide = wide.as_scene();
     require(verdict(&wide) == verdict(scene), || "f64 is refused differently".into())?;
-    let order =
-        Order { scene: &wide, settings: frame::widened(settings), step, rays: rays.iter().map(widen).collect() };
-    order.check(tracer)?;
+    let rays = rays.iter().map(|ray| widen_ray(ray, tracer)).collect();
+    Order { scene: &wide, settings: frame::widened(settings), step, rays }.check(tracer)?;
     Ok(outcome)
 }
 
-fn widen(ray: &Ray<f32>) -> Ray<f64> {
-    Ray { origin: ray.origin.map(f64::from), direction: ray.direction.map(f64::from) }
+/// The same number, or for some tracers one that has more digits and rounds to it.
+fn widen(x: f32, tracer: u8) -> f64 {
+    let more = if tracer & 64 == 0 { 0.0 } else { 2.0_f64.powi(-40) };
+    f64::from(x) * (1.0 + more)
+}
+
+fn widen_ray(ray: &Ray<f32>, tracer: u8) -> Ray<f64> {
+    Ray { origin: ray.origin.map(|x| widen(x, tracer)), direction: ray.direction.map(f64::from).normalized() }
 }
 
 /// What validation does not like; not where, which is different where each primitive is an object of its own.
@@ -89,7 +98,7 @@ impl<T: Real> Order<'_, T> {
     }
 
     fn check_with<const MEDIA: usize>(&self) -> Result<Outcome, Fault> {
-        let tracer = match Any::<T, MEDIA>::try_new(self.scene) {
+        let tracer = match Everything::<T, LARGE, MEDIA>::try_new(self.scene) {
             Ok(tracer) => tracer,
             Err(error) => {
                 require(error.to_string().len() > 10, || format!("says little: {error}"))?;
