@@ -2,7 +2,7 @@
 //!
 //! A sample that is not a number would come out as the largest one; this tells it from a bright one.
 
-use whit::scene::{Body, Highlight};
+use whit::scene::{Body, Emitter, Highlight};
 use whit::{Background, Light, Material, Pattern, Real, Rgb, Scene, Settings, Termination, Tone};
 
 /// What underflow may add up to.
@@ -31,7 +31,11 @@ pub fn limits<T: Real>(scene: &Scene<'_, T>, settings: &Settings<T>, branches: u
 }
 
 fn arriving<T: Real>(light: &Light<T>) -> f64 {
-    largest(light.color) * light.falloff.map_or(1.0, |falloff| 1.0 / value(falloff.constant))
+    let share = match (light.emitter, light.falloff) {
+        (Emitter::Directional { .. }, _) | (_, None) => 1.0,
+        (_, Some(falloff)) => 1.0 / value(falloff.constant),
+    };
+    largest(light.color) * share
 }
 
 fn own<T: Real>(material: &Material<T>, arriving: f64) -> f64 {

@@ -10,7 +10,7 @@ const MOST: u32 = 300;
 
 impl<T: Real> Order<'_, T> {
     pub(super) fn check_rays<const MEDIA: usize>(&self, tracer: &Everything<'_, T, LARGE, MEDIA>) -> Result<(), Fault> {
-        for ray in &self.rays {
+        for ray in self.eye_rays().iter().chain(&self.rays) {
             if let Some(intersection) = tracer.intersect(ray) {
                 require(is_fine(&intersection, ray), || format!("{intersection:?} of {ray:?}"))?;
             }
@@ -22,6 +22,19 @@ impl<T: Real> Order<'_, T> {
             self.check_light(light).map_err(|fault| format!("{fault} of {ray:?}"))?;
         }
         Ok(())
+    }
+
+    /// Rays from the eye through some points of the picture. What they bring shows what a pixel would not, in which
+    /// what is not a number is black.
+    fn eye_rays(&self) -> Vec<Ray<T>> {
+        let camera = self.scene.camera;
+        let forward = (camera.target - camera.eye).normalized();
+        let right = forward.cross(camera.up).normalized();
+        let up = right.cross(forward);
+        let steps = [-1.0, -0.375, 0.0, 0.5].map(|step| camera.half_height * T::from_f32(step));
+        let through = |x: T, y: T| (forward + right * x + up * y).normalized();
+        let ray = |x: T, y: T| Ray { origin: camera.eye, direction: through(x, y) };
+        steps.into_iter().flat_map(|x| steps.into_iter().map(move |y| ray(x, y))).collect()
     }
 
     /// A number, and no more than there can be; where the scene is too bright for the number type, infinity too.
