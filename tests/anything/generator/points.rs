@@ -79,7 +79,7 @@ impl Source<'_> {
     }
 
     fn keep_vector(&mut self, v: Vec3<f32>) -> Vec3<f32> {
-        let v = if self.is_wild { v } else { v.map(|x| LENGTH.fit(x)) };
+        let v = v.map(|x| self.fit(x, LENGTH));
         if self.vectors.len() < 32 {
             self.vectors.push(v);
         }

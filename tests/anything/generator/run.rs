@@ -10,6 +10,8 @@ use super::span::{AMOUNT, LENGTH};
 /// A scene with the memory that it borrows from, and what is asked of it.
 #[derive(Clone, Debug)]
 pub struct Run {
+    /// Whether its numbers may be out of their ranges.
+    pub is_wild: bool,
     things: Vec<Thing>,
     lights: Vec<Light<f32>>,
     camera: Camera<f32>,
@@ -41,6 +43,7 @@ impl Run {
         let things: Vec<_> = (0..1 + source.below(6)).map(|_| Thing::random(source)).collect();
         let lights = (0..source.below(4)).map(|_| source.light()).collect();
         Self {
+            is_wild: source.is_wild || source.is_spoiled,
             things,
             lights,
             camera: source.camera(),

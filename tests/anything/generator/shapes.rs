@@ -90,7 +90,7 @@ fn triangle(source: &mut Source<'_>) -> Triangle<f32> {
         11 => b + (b - a),
         _ => source.point(),
     };
-    Triangle { vertices: [a, b, if source.is_wild { c } else { c.map(|x| LENGTH.fit(x)) }] }
+    Triangle { vertices: [a, b, c.map(|x| source.fit(x, LENGTH))] }
 }
 
 fn smooth_triangle(source: &mut Source<'_>) -> SmoothTriangle<f32> {

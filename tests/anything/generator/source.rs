@@ -2,7 +2,7 @@
 //!
 //! A number is a handy one, or any of its range with an even distribution of exponents, or an end of the range, or one
 //! that was there before, perhaps some units in the last place away. One run in sixteen is wild: its numbers may leave
-//! their ranges, and some are any bits at all.
+//! their ranges, and some are any bits at all. Another one is spoiled: all is well but for a few that are not finite.
 
 use arbitrary::Unstructured;
 use whit::{Rgb, Vec3};
@@ -14,6 +14,8 @@ pub struct Source<'b> {
     bytes: Unstructured<'b>,
     /// Whether numbers may be out of their ranges.
     pub is_wild: bool,
+    /// Whether a few numbers are not finite.
+    pub is_spoiled: bool,
     /// The size of things in this run.
     pub scale: f32,
     numbers: Vec<f32>,
@@ -27,8 +29,10 @@ const MEMORY: usize = 64;
 impl<'b> Source<'b> {
     pub fn new(bytes: &'b [u8]) -> Self {
         let bytes = Unstructured::new(bytes);
-        let mut source = Self { bytes, is_wild: false, scale: 1.0, numbers: Vec::new(), vectors: Vec::new() };
-        source.is_wild = source.below(16) == 15;
+        let mut source =
+            Self { bytes, is_wild: false, is_spoiled: false, scale: 1.0, numbers: Vec::new(), vectors: Vec::new() };
+        let kind = source.below(16);
+        (source.is_wild, source.is_spoiled) = (kind == 15, kind == 14);
         source.scale = match source.below(8) {
             0..=4 => 1.0,
             5 => power_of_two(source.between(-39, 39)),
@@ -76,8 +80,7 @@ impl<'b> Source<'b> {
             160..=183 => self.any(span),
             184..=199 => self.end(span),
             200..=249 => self.again(),
-            _ if self.is_wild => f32::from_bits(self.word()),
-            _ => self.any(span),
+            _ => self.wild(span),
         };
         self.keep(x, span)
     }
@@ -90,8 +93,7 @@ impl<'b> Source<'b> {
             192..=207 => self.any(span),
             208..=215 => self.end(span),
             216..=251 => self.again(),
-            _ if self.is_wild => f32::from_bits(self.word()),
-            _ => self.any(span),
+            _ => self.wild(span),
         };
         self.keep(x, span)
     }
@@ -100,6 +102,17 @@ impl<'b> Source<'b> {
     pub fn size(&mut self, span: Span) -> f32 {
         let x = self.coordinate(span);
         self.keep(x.abs(), span)
+    }
+
+    /// A number that does not keep to the range, in runs that may have them.
+    fn wild(&mut self, span: Span) -> f32 {
+        if self.is_wild {
+            f32::from_bits(self.word())
+        } else if self.is_spoiled {
+            self.pick(&[f32::NAN, f32::INFINITY, -f32::INFINITY], f32::NAN)
+        } else {
+            self.any(span)
+        }
     }
 
     /// Any number of a range, all exponents alike.
@@ -144,13 +157,18 @@ impl<'b> Source<'b> {
         (0..steps.abs()).fold(x, |x, _| if steps < 0 { x.next_down() } else { x.next_up() })
     }
 
-    /// A number as far as the range allows it, remembered.
+    /// The same, remembered.
     pub fn keep(&mut self, x: f32, span: Span) -> f32 {
-        let x = if self.is_wild { x } else { span.fit(x) };
+        let x = self.fit(x, span);
         if self.numbers.len() < MEMORY {
             self.numbers.push(x);
         }
         x
+    }
+
+    /// A number as far as the range allows it.
+    pub fn fit(&self, x: f32, span: Span) -> f32 {
+        if self.is_wild || (self.is_spoiled && !x.is_finite()) { x } else { span.fit(x) }
     }
 
     /// Three numbers of a range.
