@@ -6,6 +6,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)]
 
 mod check;
+mod deep;
 mod generator;
 
 use std::cell::Cell;

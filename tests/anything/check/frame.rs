@@ -7,6 +7,7 @@ use whit::{Budget, Frame, Real, Settings, Stats, Termination};
 use super::bound::limits;
 use super::canvas::Canvas;
 use super::rendered::Rendered;
+use super::targets::check_targets;
 use super::watch::Watch;
 use super::{Everything, Fault, LARGE, Order, Outcome, require};
 
@@ -89,6 +90,7 @@ impl<T: Real> Order<'_, T> {
             require(fine(color.r) && fine(color.g) && fine(color.b), || {
                 format!("{pixel:?}, not from {lowest:e} to {highest:e}")
             })?;
+            check_targets(color)?;
             require(rows.contains(&pixel.y) && pixel.x < self.settings.size.width, || format!("outside: {pixel:?}"))?;
         }
         require(canvas.is_each_once(), || "a pixel came twice".into())?;

@@ -6,6 +6,7 @@ mod frame;
 mod lines;
 mod nff;
 mod rendered;
+mod targets;
 mod watch;
 
 use whit::{Effects, Ray, Real, Scene, SceneBuf, Settings, Shape, Tracer};
