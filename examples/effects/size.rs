@@ -2,18 +2,12 @@
 
 #![allow(dead_code)] // The tool looks at sizes, the test at names.
 
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+#[path = "library.rs"] // Also when this file is part of a program in another folder.
+mod library;
 
 use object::{Object, ObjectSection, ObjectSymbol, SectionKind};
 
-/// The library, built for a target, and a folder to work in.
-pub struct Library {
-    folder: PathBuf,
-    /// `None` for the machine at hand.
-    target: Option<&'static str>,
-}
+pub use library::Library;
 
 /// A compiled program that renders one scene.
 pub struct Probe {
@@ -28,46 +22,19 @@ pub struct Probe {
 }
 
 impl Library {
-    pub fn build(folder: &Path, target: Option<&'static str>) -> Result<Self, String> {
-        let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
-        let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
-        let mut build = Command::new(cargo);
-        build.args(["build", "--quiet", "--release", "--lib", "--no-default-features", "--manifest-path", manifest]);
-        build.arg("--target-dir").arg(folder);
-        // Flags are for the program at hand, not for the probes.
-        build.env_remove("CARGO_ENCODED_RUSTFLAGS").env_remove("RUSTFLAGS");
-        if let Some(target) = target {
-            build.args(["--target", target]);
-        }
-        run(&mut build)?;
-        Ok(Self { folder: folder.to_owned(), target })
-    }
-
     /// Compiles the program for one scene of `scenes.rs`.
     ///
     /// `level` is the compiler's `opt-level`. Without linking, at "s" and below 2, the compiler leaves functions in that
     /// nothing uses.
     pub fn probe(&self, scene: &str, level: &str) -> Result<Probe, String> {
-        let libraries = self.folder.join(self.target.unwrap_or_default()).join("release");
-        let source = self.folder.join(format!("probe_{scene}_{level}.rs"));
-        let output = source.with_extension("o");
-        fs::write(&source, source_of(scene, self.target.is_some())).map_err(|error| error.to_string())?;
-        let mut compile = Command::new(std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned()));
-        compile.args(["--edition", "2024", "-C", "panic=abort", "-C", "debuginfo=2"]);
-        compile.arg("-C").arg(format!("opt-level={level}"));
-        compile.arg("--extern").arg(format!("whit={}", libraries.join("libwhit.rlib").display()));
-        compile.arg("-L").arg(format!("dependency={}", libraries.join("deps").display()));
-        match self.target {
-            None => compile.args(["--crate-type", "lib", "--emit", "obj"]),
-            Some(target) => {
-                let linking =
-                    ["--entry=render", "--undefined=FRAME", "--gc-sections"].map(|flag| format!("link-arg={flag}"));
-                compile.args(["--crate-type", "bin", "--target", target]);
-                compile.args(linking.iter().flat_map(|flag| ["-C", flag]))
-            }
-        };
-        run(compile.arg(&source).arg("-o").arg(&output))?;
-        let bytes = fs::read(&output).map_err(|error| error.to_string())?;
+        let level_flag = format!("opt-level={level}");
+        let mut arguments = vec!["-C", "debuginfo=2", "-C", &level_flag];
+        let linked = ["bin", "-C", "link-args=--entry=render --undefined=FRAME --gc-sections"];
+        arguments.push("--crate-type");
+        arguments.extend_from_slice(if self.target.is_some() { &linked } else { &["lib", "--emit", "obj"] });
+        let source = source_of(scene, self.target.is_some());
+        let output = self.compile(&format!("probe_{scene}_{level}"), &source, &arguments)?;
+        let bytes = std::fs::read(&output).map_err(|error| error.to_string())?;
         Probe::read(&bytes).map_err(|error| format!("{}: {error}", output.display()))
     }
 }
@@ -133,12 +100,4 @@ pub extern "C" fn render() {{
 }}
 {panic}"#
     )
-}
-
-fn run(command: &mut Command) -> Result<(), String> {
-    let output = command.output().map_err(|error| format!("{:?}: {error}", command.get_program()))?;
-    if output.status.success() {
-        return Ok(());
-    }
-    Err(format!("{command:?}: {}", String::from_utf8_lossy(&output.stderr)))
 }

@@ -1,0 +1,57 @@
+//! The programs that are measured: each renders one scene on bare metal.
+
+use whit::scenes;
+
+/// A program that renders a scene.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// What the page calls it.
+    pub name: String,
+    /// The bounces that its frame has room for.
+    pub bounces: usize,
+    pub source: String,
+}
+
+/// The bounces of most programs, and others to show that they do not matter.
+const BOUNCES: usize = 5;
+const OTHER_BOUNCES: [usize; 2] = [0, 64];
+
+/// All programs: every built-in scene, and one for scenes that are known only at run time, which has all effects.
+pub fn all() -> Vec<Program> {
+    let mut programs: Vec<Program> = scenes::ALL.iter().map(|(name, _)| constant(name, BOUNCES)).collect();
+    programs.extend(OTHER_BOUNCES.map(|bounces| constant("showcase", bounces)));
+    programs.push(at_run_time(BOUNCES));
+    programs.extend(OTHER_BOUNCES.map(at_run_time));
+    programs
+}
+
+/// A scene that is checked by the compiler, by a tracer for its own effects.
+fn constant(name: &str, bounces: usize) -> Program {
+    let scene = format!("whit::scenes::{}", name.to_uppercase());
+    let source = source(&format!(
+        "effects: {scene}.effects(), depth: {scene}.stack({bounces}), media: {scene}.media(), \
+         tracer: whit::tracer!({scene}, {bounces}), bounces: {}",
+        rendered(bounces)
+    ));
+    Program { name: format!("`{name}`"), bounces, source }
+}
+
+/// A scene that is checked by the program, by a tracer for all effects. Which one it is does not show in the code.
+fn at_run_time(bounces: usize) -> Program {
+    let source = source(&format!(
+        "effects: whit::Effects::ALL, depth: {bounces}, media: 8, \
+         tracer: whit::Tracer::try_new(core::hint::black_box(&SCENE)).ok()?, bounces: {}",
+        rendered(bounces)
+    )) + "static SCENE: whit::Scene<'static, f32> = whit::scenes::GLASS;\n";
+    Program { name: "any, at run time".to_owned(), bounces, source }
+}
+
+/// A tree of 64 bounces would be followed for ever.
+fn rendered(bounces: usize) -> usize {
+    bounces.min(BOUNCES)
+}
+
+fn source(scene: &str) -> String {
+    let firmware = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/stack/firmware.rs");
+    format!("#![no_std]\n#![no_main]\n#[macro_use]\n#[path = {firmware:?}]\nmod firmware;\nfirmware!({scene});\n")
+}
