@@ -3,6 +3,9 @@
 use crate::math::{Real, Rgb, Vec3};
 
 /// A light of one colour.
+///
+/// A surface that a light lies on, to 2⁻¹³ of the light's distance, does not hide it from other surfaces; the surface itself
+/// is not lit by a light in its plane, nor a point by a light that is just there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light<T> {
     /// Where it is.
@@ -26,7 +29,7 @@ pub enum Emitter<T> {
         /// Towards the light, of any length but zero.
         towards: Vec3<T>,
     },
-    /// A ball, sampled as the disc that a point sees of it. One shadow ray is sent per surface point: soft shadows
+    /// A ball, not seen itself, not by an eye inside it either; sampled as the disc that a point sees of it. One shadow ray is sent per surface point: soft shadows
     /// come from several samples a pixel.
     Sphere {
         /// Centre.

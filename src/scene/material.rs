@@ -58,7 +58,7 @@ pub enum Lobe {
     Phong,
 }
 
-/// The power of a highlight.
+/// The power of a highlight. The power 0 is 1 wherever the cosine is above 0, and 0 elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Exponent<T> {
     /// An integer, by repeated squaring.

@@ -18,7 +18,8 @@ pub struct Medium<T> {
     /// distance x. `None` for a clear medium.
     pub attenuation: Option<Rgb<T>>,
     /// Which of several objects that overlap a place belongs to: the one whose medium has the highest priority, of
-    /// equal ones the last in the list. `None` ranks lowest.
+    /// equal ones the last in the list. `None` ranks lowest. Surfaces that coincide, as those of a glass and of the water
+    /// in it, are crossed at once where the tracer remembers media; give one of the two a priority.
     pub priority: Option<u8>,
 }
 

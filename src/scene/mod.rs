@@ -48,7 +48,8 @@ pub struct Scene<'a, T> {
     pub medium: Medium<T>,
     /// How the reflectance of dielectrics and coats is computed.
     pub fresnel: Fresnel,
-    /// The objects. Where two are equally near to a ray's origin, the first one is seen.
+    /// The objects. Of surfaces that are equally near to a ray's origin, to 32 roundings of the distance, that of the first
+    /// object is seen.
     pub objects: &'a [Object<'a, T>],
     /// The lights.
     pub lights: &'a [Light<T>],

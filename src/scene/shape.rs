@@ -32,7 +32,7 @@ pub struct Disc<T> {
     pub radius: T,
 }
 
-/// A box whose edges lie along the axes.
+/// A box whose edges lie along the axes. A ray in the plane of a face meets it, and a box without thickness is a sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisBox<T> {
     /// The corner with the smallest coordinates.

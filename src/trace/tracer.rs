@@ -154,6 +154,8 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tr
     /// The first surface that a ray meets; `None` where it meets nothing up to a distance of 2⁶⁰. The ray's direction must
     /// have length 1 and its origin coordinates of at most 1e12.
     ///
+    /// A flat surface that the origin lies on is not met; a closed body is met from inside if the ray goes in.
+    ///
     /// ```
     /// use whit::{Ray, Vec3, scenes::SPHERES};
     /// let camera = SPHERES.camera;
@@ -169,8 +171,8 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tr
     }
 
     /// The light that comes back along one ray, whose direction must have length 1 and whose origin coordinates of at
-    /// most 1e12. Lights with an area are sampled at
-    /// their first sample point.
+    /// most 1e12. Lights with an area are sampled at their first sample point. Where lights are too bright for the number
+    /// type this is infinite; the pixels of a frame are held at the largest number.
     #[must_use]
     pub fn trace(&self, ray: Ray<T>, budget: &Budget<T>, observer: &mut impl Observer) -> Rgb<T> {
         let samples = Samples { sequence: Sequence::new(0, 0), index: 0 };

@@ -44,7 +44,7 @@ pub fn write(page: &mut Page) -> Result<(), String> {
         "whit takes the discriminant as r² less the square of the distance between the centre and the ray, worked out across \
          the ray, and one root from the product of the two (Haines, Günther and Akenine-Möller, Ray Tracing Gems, 2019). Of \
          1,800 rays with exactly known roots (far, tiny, grazing, huge and just-left spheres) the textbook form misjudges \
-         79, whit none, and its roots stay within 2u of the distance, across the surface (`tests/hard_cases/cancellation.rs`).",
+         79, whit none, and its roots stay within 2u of the distance, across the surface (`tests/hard_cases_spheres/cancellation.rs`).",
     );
     Ok(())
 }

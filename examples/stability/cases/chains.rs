@@ -44,7 +44,7 @@ pub fn write(page: &mut Page) -> Result<(), String> {
 After {BOUNCES} reflections at mirrors of all directions the length of a direction is off by up to {naive:.0}u in the textbook's
 D − 2(D·N)N; distances and cosines are off with it. whit sets each new direction to length 1: {ours:.1}u. Between facing
 mirrors at depth 64 the images lie where unfolding the path in `f64` puts them, light inside a ball of glass keeps its angle
-over 64 total reflections, and lossless glass in a white furnace is white at depth 64 (`tests/hard_cases/chains.rs`,
+over 64 total reflections, and lossless glass in a white furnace is white at depth 64 (`tests/hard_cases_optics/chains.rs`,
 `tests/furnace.rs`).
 "
     ));

@@ -69,7 +69,7 @@ is. Schlick's approximation has to be taken at the angle on the less dense side.
          `tests/data/oracles/fresnel.csv`, made with 50 digits, the reflectance is right to 3e-7, and to 1.1e-3 within 1e-3 of the \
          critical cosine, where its last bit counts as much (`tests/oracles.rs`). Between equal media nothing is reflected \
          and nothing bent, to the bit; indices from 1e-3 to 1e3 on both sides, and any angle, keep R and T from 0 to 1 and R + T = 1 \
-         (`tests/hard_cases/interfaces.rs`)."
+         (`tests/hard_cases_optics/interfaces.rs`)."
     ));
     Ok(())
 }

@@ -18,10 +18,10 @@ const HEAD: &str = "
 # Hard cases
 
 Scenes and rays that break ray tracers: what goes wrong in a naive form, what whit does instead, and the bound that it
-meets. The naive forms are in [`examples/stability/naive`](../examples/stability/naive); the tests in
-[`tests/hard_cases`](../tests/hard_cases) show that they fail and that the library does not:
+meets. The naive forms are in [`examples/stability/naive`](../examples/stability/naive); the tests show that they fail and
+that the library does not:
 
-    cargo test --test hard_cases
+    cargo test --test 'hard_cases_*' --test scale_invariance --test anything
 
 This page and its pictures, naive on the left and whit on the right, are written by
 

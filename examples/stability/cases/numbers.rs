@@ -29,7 +29,7 @@ A cosine of two unit vectors may round to a little more than 1, and a high expon
         "whit holds cosines at 1. What a medium leaves of light underflows to 0 and never grows: of constant 30 over distance \
          10 it leaves {exact}; a hundred Euler steps make {steps:.1e} of it. 0⁰ is 1 and belongs to a highlight of exponent 0. \
          Lights, colours and factors up to 1e12 each may multiply to more than `f32` holds: such light is the largest number, what \
-         nothing of it gets through is black, and no pixel is infinite or not a number (`tests/hard_cases/numbers.rs`, \
+         nothing of it gets through is black, and no pixel is infinite or not a number (`tests/hard_cases_optics/numbers.rs`, \
          `tests/extremes.rs`)."
     ));
     Ok(())

@@ -26,7 +26,7 @@ whit works out |o − c|² − r² in twice the digits where the origin is near 
 there, and moves points of a sphere that is larger than their coordinates by their level, in twice the digits too
 (`src/intersect/sphere.rs`). Everywhere else a contact lies on a sphere whose radius differs by at most 8u times the
 distance from the origin to the centre: spheres of radius 1e-3 to 1e6 at distances of 1e-2 to 1e6, up to 1e5 radii away from
-the world's origin, stay within 4.5u of it in `tests/hard_cases/scale.rs`; the textbook's are off by up to 1e4·u.
+the world's origin, stay within 4.5u of it in `tests/hard_cases_spheres/scale.rs`; the textbook's are off by up to 1e4·u.
 ";
 
 pub fn write(page: &mut Page) -> Result<(), String> {

@@ -35,7 +35,7 @@ one sphere, as a ratio to starting at the point itself, measured in one run.
 ";
 
 const ANSWER: &str = "
-In `tests/hard_cases`, 300,000 rays of each kind at each of six sizes, and a million for each kind of shape over 16 decades
+In `tests/hard_cases_spheres` and `tests/hard_cases_shapes`, 300,000 rays of each kind at each of six sizes, and a million for each kind of shape over 16 decades
 of size, give 0 failures. Contact shadows reach the point where a ball touches the ground to a 500th of its radius or less.
 An origin lies no farther from the point than 40u times its largest coordinate.
 ";

@@ -51,7 +51,7 @@ Rays that graze the ball come next to the critical angle, and rounding takes som
     page.text(
         "whit knows how far the cosine may be off (8u for each bounce so far) and takes a reflection for total only where it is \
          beyond that. Balls, panes and pairs of planes of ten indices, at sizes from 1e-6 to 1e6, report none for more than two \
-         million rays (`tests/hard_cases/false_total_reflection.rs`). The neighbouring faces of a box of glass do reflect \
+         million rays (`tests/hard_cases_optics/false_total_reflection.rs`). The neighbouring faces of a box of glass do reflect \
          totally, in reality too.",
     );
     Ok(())

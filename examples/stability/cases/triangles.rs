@@ -58,7 +58,7 @@ numbers.
     page.text(
         "whit shears the corners into a space where the ray is an axis (Woop, Benthin and Wald, JCGT 2013): both triangles \
          see the same numbers with opposite signs, rounding never changes the sign of such a difference, and 0 counts as \
-         inside. No ray of ten million to edges and corners of closed meshes gets out (`tests/hard_cases/triangles.rs`). On \
+         inside. No ray of ten million to edges and corners of closed meshes gets out (`tests/hard_cases_shapes/triangles.rs`). On \
          which side of a near triangle the origin lies is worked out in twice the digits, so that a ray that leaves it does not meet \
          it again, and one that starts close above a long one does.",
     );

@@ -44,6 +44,6 @@ impl Light<f32> {
         let Some(falloff) = &self.falloff else { return Ok(()) };
         ensure!(check(within(falloff.constant, 1e-12, BRIGHTEST), "falloff.constant", POSITIVE));
         ensure!(amount(falloff.linear, "falloff.linear"));
-        amount(falloff.quadratic, "falloff.quadratic")
+        check(within(falloff.quadratic, 0.0, 1e24), "falloff.quadratic", "a number from 0 to 1e24")
     }
 }
