@@ -195,8 +195,9 @@ pub(crate) fn surface<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T
     let point = cone.base + axis.unit * height + outward * radius;
     let normal = (outward - axis.unit * axis.slope).normalized();
     let solid = cone.base_radius > T::ZERO || cone.apex_radius > T::ZERO;
-    // Every term is at most the distance from the base, plus that of the base; each is good to about 6 roundings.
-    let size = cone.base.abs() + Vec3::splat(height.abs() + radius.abs());
+    // Every term is at most the height and the larger radius, plus the distance of the base; each is good to about 6
+    // roundings.
+    let size = cone.base.abs() + Vec3::splat(height.abs() + cone.base_radius.abs().max(cone.apex_radius.abs()));
     let error = size * (T::from_f32(16.0) * T::ROUNDOFF);
     Surface::new(point, if solid { normal } else { -normal }, error).curved(radius.abs())
 }

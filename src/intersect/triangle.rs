@@ -49,6 +49,8 @@ struct Crossing<T> {
     weights: [T; 3],
     sum: T,
     t: T,
+    /// Whether t is worked out in twice the digits, and the weights are not.
+    is_settled: bool,
 }
 
 #[inline]
@@ -68,7 +70,7 @@ fn cross<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>, shear: &Shear<T>) -> Op
         return None;
     }
     let t = (u * a.z + v * b.z + w * c.z) / sum;
-    let mut crossing = Crossing { weights: [u, v, w], sum, t };
+    let mut crossing = Crossing { weights: [u, v, w], sum, t, is_settled: false };
     // Where all corners lie in front of the origin, so does the crossing.
     let is_ahead = a.z > T::ZERO && b.z > T::ZERO && c.z > T::ZERO;
     if !is_ahead {
@@ -78,6 +80,11 @@ fn cross<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>, shear: &Shear<T>) -> Op
 }
 
 impl<T: Real> Crossing<T> {
+    /// The weights divided by their sum.
+    fn shares(&self) -> [T; 3] {
+        self.weights.map(|weight| weight / self.sum)
+    }
+
     /// Works t out in twice the digits, from the plane of the triangle, where rounding takes more than a thousandth of it.
     /// Its sign is right then, so that a ray that leaves a triangle does not meet it again.
     #[cold]
@@ -86,6 +93,7 @@ impl<T: Real> Crossing<T> {
         if self.t.abs() > uncertainty(sheared, self.weights, self.sum) * T::from_f32(1024.0) {
             return;
         }
+        self.is_settled = true;
         let normal = b.exact_difference(*a).twofold_cross(c.exact_difference(*a));
         let approach = ray.direction.exact_difference(Vec3::ZERO).twofold_dot(normal).rounded();
         self.t = if approach == T::ZERO {
@@ -156,12 +164,29 @@ pub(crate) fn smooth_surface<T: Real>(triangle: &SmoothTriangle<T>, ray: &Ray<T>
 /// of each product (Pharr, Jakob and Humphreys, 6.8.5).
 fn locate<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>) -> (Surface<T>, [T; 3]) {
     let weights = match cross(vertices, ray, &Shear::new(ray.direction)) {
-        Some(crossing) => crossing.weights.map(|weight| weight / crossing.sum),
+        Some(crossing) if crossing.is_settled => exact_weights(vertices, ray).unwrap_or_else(|| crossing.shares()),
+        Some(crossing) => crossing.shares(),
         None => [T::ONE, T::ZERO, T::ZERO],
     };
     let error = weigh(&vertices.map(Vec3::abs), weights) * (T::from_f32(8.0) * T::ROUNDOFF);
     let normal = exact_normal(vertices).normalized_or(-ray.direction);
     (Surface::new(weigh(vertices, weights), normal, error), weights)
+}
+
+/// The weights of the corners, worked out in twice the digits: for slivers, and for triangles whose corners are far away.
+/// `None` where they have no sum.
+#[cold]
+#[inline(never)]
+fn exact_weights<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>) -> Option<[T; 3]> {
+    let [a, b, c] = vertices.map(|v| v.exact_difference(ray.origin));
+    let direction = ray.direction.exact_difference(Vec3::ZERO);
+    let weights = [(c, b), (a, c), (b, a)].map(|(p, q)| direction.twofold_dot(p.twofold_cross(q)).rounded());
+    let [u, v, w] = weights;
+    // What rounding has taken out of the triangle is at its edge.
+    let sign = if u + v + w < T::ZERO { -T::ONE } else { T::ONE };
+    let [u, v, w] = weights.map(|weight| (weight * sign).max(T::ZERO));
+    let sum = u + v + w;
+    if sum >= T::SMALLEST { Some([u / sum, v / sum, w / sum]) } else { None }
 }
 
 /// The direction across a triangle, good to a rounding even for a sliver, and so long that its square neither underflows

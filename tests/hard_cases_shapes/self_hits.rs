@@ -187,8 +187,25 @@ fn boxes() {
     assert_never_met_again((25, Form::Solid, false), make, |shape| *shape);
 }
 
-/// Corners of independent decades, or a triangle of one size somewhere.
+/// Corners of independent decades, or a triangle of one size somewhere; none that is thinner than some roundings of its
+/// length, which is a line to `f32`.
 fn triangle(random: &mut Random) -> ([Vec3<f32>; 3], Vector) {
+    loop {
+        let (vertices, target) = any_triangle(random);
+        if thinness(&vertices) > 16.0 * ROUNDOFF {
+            return (vertices, target);
+        }
+    }
+}
+
+/// The height over the longest edge as a share of it.
+fn thinness(vertices: &[Vec3<f32>; 3]) -> f64 {
+    let [a, b, c] = vertices.map(|v| v.map(f64::from));
+    let longest = [b - a, c - b, a - c].map(Vec3::length_squared).into_iter().fold(0.0, f64::max);
+    (b - a).cross(c - a).length() / longest
+}
+
+fn any_triangle(random: &mut Random) -> ([Vec3<f32>; 3], Vector) {
     let vertices: [Vec3<f32>; 3] = match random.below(2) {
         0 => std::array::from_fn(|_| random.point_of_decades(8.0)),
         _ => {
