@@ -1,5 +1,6 @@
 //! The sections of the page, one a case.
 
+mod anything;
 mod boxes;
 mod cancellation;
 mod chains;
@@ -43,5 +44,7 @@ pub fn write(page: &mut Page) -> Result<(), String> {
     chains::write(page)?;
     coincidence::write(page)?;
     numbers::write(page)?;
-    invariance::write(page)
+    invariance::write(page)?;
+    anything::write(page);
+    Ok(())
 }
