@@ -13,7 +13,7 @@ use crate::scene::Sphere;
 /// of the distance from the origin to the centre.
 ///
 /// Where the origin is so near the surface that the product of the roots loses its digits, as above a ground as large
-/// as a planet, [`near_surface`] works them out anew.
+/// as a planet, [`near_or_inside`] works it out in twice the digits.
 #[inline(always)]
 pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let f = ray.origin - sphere.center;
@@ -34,7 +34,9 @@ pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, out
     first((c / far, far), sphere, limit, outside_only)
 }
 
-/// The contact for an origin near the surface or inside.
+/// The contact for an origin near the surface or inside. Where rounding leaves few digits of the product of the roots, or
+/// puts the side that the origin is on in doubt, it is the level of the origin in twice the digits; b² less that is then the
+/// better discriminant.
 #[inline(never)]
 fn near_or_inside<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let f = ray.origin - sphere.center;

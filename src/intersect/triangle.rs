@@ -190,8 +190,7 @@ fn exact_weights<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>) -> Option<[T; 3
 }
 
 /// The direction across a triangle, good to a rounding even for a sliver, and so long that its square neither underflows
-/// nor overflows; the zero vector where the corners are in line
-/// or too near each other for the number type.
+/// nor overflows; the zero vector where the corners are in line or too near each other for the number type.
 fn exact_normal<T: Real>([a, b, c]: &[Vec3<T>; 3]) -> Vec3<T> {
     let normal = b.exact_difference(*a).twofold_cross(c.exact_difference(*a)).rounded();
     let size = normal.abs();
