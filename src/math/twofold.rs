@@ -2,7 +2,7 @@
 //!
 //! Each operation keeps what rounding took from it and is good to a few u², where u is the unit roundoff of the number
 //! type (Dekker, "A Floating-Point Technique for Extending the Available Precision", 1971). For places where nearly equal
-//! numbers are subtracted.
+//! numbers are subtracted. Those are met rarely, so sums and products are calls, which keeps the code small.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -80,7 +80,7 @@ fn sum_and_error<T: Real>(a: T, b: T) -> (T, T) {
 
 impl<T: Real> Add for Twofold<T> {
     type Output = Self;
-    #[inline]
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         let (sum, error) = sum_and_error(self.high, other.high);
         Self::new(sum, error + (self.low + other.low))
@@ -105,7 +105,7 @@ impl<T: Real> Sub for Twofold<T> {
 
 impl<T: Real> Mul for Twofold<T> {
     type Output = Self;
-    #[inline]
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let product = self.high * other.high;
         let error = self.high.product_error(other.high, product);
