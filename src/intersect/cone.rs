@@ -48,17 +48,13 @@ struct Passage<T> {
 
 impl<T: Real> Passage<T> {
     #[inline]
-    fn new(cone: &Cone<T>, axis: &Axis<T>, ray: &Ray<T>) -> Self {
+    fn new(cone: &Cone<T>, axis: &Axis<T>, ends: &Span<T>, ray: &Ray<T>) -> Self {
         let (rise, across_rate) = axis.split(ray.direction);
         let square = across_rate.length_squared();
         let middle = (cone.base + (cone.apex - cone.base) * T::HALF - ray.origin).dot(ray.direction);
-        let (height, across) = axis.split(ray.at(middle) - cone.base);
-        let mut shift = if square > T::ZERO { -(across.dot(across_rate) / square) } else { T::ZERO };
-        if rise != T::ZERO {
-            let (base, apex) = (-height / rise, (axis.height - height) / rise);
-            shift = shift.max(base.min(apex)).min(base.max(apex));
-        }
-        let start = middle + shift;
+        let (_, across) = axis.split(ray.at(middle) - cone.base);
+        let shift = if square > T::ZERO { -(across.dot(across_rate) / square) } else { T::ZERO };
+        let start = (middle + shift).max(ends.enter.0).min(ends.leave.0);
         let (height, across) = axis.split(ray.at(start) - cone.base);
         let radius = cone.base_radius.abs() + axis.slope * height;
         let radius_rate = axis.slope * rise;
@@ -83,11 +79,12 @@ struct Span<T> {
 /// The first visible contact nearer than `limit`.
 pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let axis = Axis::new(cone);
-    let passage = Passage::new(cone, &axis, ray);
+    let ends = between_ends(cone, &axis, ray)?;
+    let passage = Passage::new(cone, &axis, &ends, ray);
     let solid = cone.base_radius > T::ZERO || cone.apex_radius > T::ZERO;
     let Passage { start, height, rise, a, b, c } = passage;
     if cone.capped {
-        let Span { enter, leave } = passage.within(&between_ends(cone, &axis, ray)?)?;
+        let Span { enter, leave } = passage.within(&ends)?;
         let contacts = [(enter, solid), (leave, !solid)].map(|((t, part), front)| Contact::new(t, front, part));
         return ray::first(contacts, limit, outside_only);
     }

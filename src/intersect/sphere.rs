@@ -21,7 +21,7 @@ pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, out
     let square = sphere.radius * sphere.radius;
     let c = f.length_squared() - square;
     if c < square * T::from_f32(1.0 / 256.0) {
-        return near_or_inside(sphere, ray, limit, outside_only);
+        return near_or_inside(sphere, ray, (b, c), limit, outside_only);
     }
     if b <= T::ZERO {
         return None;
@@ -38,14 +38,17 @@ pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, out
 /// puts the side that the origin is on in doubt, it is the level of the origin in twice the digits; b² less that is then the
 /// better discriminant.
 #[inline(never)]
-fn near_or_inside<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
-    let f = ray.origin - sphere.center;
-    let b = -f.dot(ray.direction);
+fn near_or_inside<T: Real>(
+    sphere: &Sphere<T>,
+    ray: &Ray<T>,
+    (b, mut c): (T, T),
+    limit: T,
+    outside_only: bool,
+) -> Option<Contact<T>> {
     let square = sphere.radius * sphere.radius;
-    let mut c = f.length_squared() - square;
     let doubt = square * (T::from_f32(16.0) * T::ROUNDOFF);
     let discriminant = if c < -doubt {
-        square - (f + ray.direction * b).length_squared()
+        square - (ray.origin - sphere.center + ray.direction * b).length_squared()
     } else {
         if b <= T::ZERO && c > doubt {
             return None;
@@ -91,8 +94,7 @@ pub(crate) fn surface<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Conta
     let local = outward * sphere.radius.abs();
     let normal = if solid { outward } else { -outward };
     let point = sphere.center + local;
-    let largest = point.x.abs().max(point.y.abs()).max(point.z.abs());
-    if largest + largest < sphere.radius.abs() {
+    if point.largest() * T::TWO < sphere.radius.abs() {
         // Where the way is shorter than the radius, the ray tells better where along the surface the point is.
         let point = if contact.t < sphere.radius.abs() { ray.at(contact.t) } else { point };
         return settle(sphere, point, normal);

@@ -14,21 +14,26 @@ pub(crate) struct Surface<T> {
     pub shading: Vec3<T>,
     /// From the point to the nearest place that is surely outside, along the normal.
     pub offset: Vec3<T>,
-    /// How far the normal may turn, as an angle, within the rounding of the point: 0 where the surface is flat.
-    pub turn: T,
+    /// The radius of curvature; `T::MAX` where the surface is flat.
+    pub curvature_radius: T,
 }
 
 impl<T: Real> Surface<T> {
     /// A surface without a shading normal of its own. `error` bounds the absolute error of each coordinate of `point`.
     pub(crate) fn new(point: Vec3<T>, normal: Vec3<T>, error: Vec3<T>) -> Self {
-        Self { point, normal, shading: normal, offset: offset(point, normal, error), turn: T::ZERO }
+        Self { point, normal, shading: normal, offset: offset(point, normal, error), curvature_radius: T::MAX }
     }
 
     /// The same place on a surface with this radius of curvature.
-    pub(crate) fn curved(self, radius: T) -> Self {
-        let size = self.point.abs();
-        let rounding = size.x.max(size.y).max(size.z) * (T::from_f32(8.0) * T::ROUNDOFF);
-        Self { turn: if rounding < radius { rounding / radius } else { T::ONE }, ..self }
+    #[inline(always)]
+    pub(crate) fn curved(self, curvature_radius: T) -> Self {
+        Self { curvature_radius, ..self }
+    }
+
+    /// How far the normal may turn, as an angle, within the rounding of the point.
+    pub(crate) fn turn(&self) -> T {
+        let rounding = self.point.largest() * (T::from_f32(8.0) * T::ROUNDOFF);
+        if rounding < self.curvature_radius { rounding / self.curvature_radius } else { T::ONE }
     }
 
     /// The geometric and the shading normal on the side that a ray comes from: outside if it meets the front.

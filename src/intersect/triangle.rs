@@ -154,9 +154,8 @@ pub(crate) fn surface<T: Real>(triangle: &Triangle<T>, ray: &Ray<T>) -> Surface<
 /// The surface of a smooth triangle at a contact: its shading normal is the mean of the corners' unit normals.
 pub(crate) fn smooth_surface<T: Real>(triangle: &SmoothTriangle<T>, ray: &Ray<T>) -> Surface<T> {
     let (surface, weights) = locate(&triangle.vertices, ray);
-    let shading = weigh(&triangle.normals.map(Vec3::normalized), weights).normalized();
     // Normals that cancel leave nothing to shade with.
-    let shading = if shading == Vec3::ZERO { surface.normal } else { shading };
+    let shading = weigh(&triangle.normals.map(Vec3::normalized), weights).normalized_or(surface.normal);
     Surface { shading, ..surface }
 }
 
@@ -193,8 +192,7 @@ fn exact_weights<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>) -> Option<[T; 3
 /// nor overflows; the zero vector where the corners are in line or too near each other for the number type.
 fn exact_normal<T: Real>([a, b, c]: &[Vec3<T>; 3]) -> Vec3<T> {
     let normal = b.exact_difference(*a).twofold_cross(c.exact_difference(*a)).rounded();
-    let size = normal.abs();
-    let largest = size.x.max(size.y).max(size.z);
+    let largest = normal.largest();
     if largest >= T::SMALLEST { normal * (T::ONE / largest) } else { Vec3::ZERO }
 }
 

@@ -97,6 +97,12 @@ impl<T: Real> Vec3<T> {
         Self { x: self.x.min(other.x), y: self.y.min(other.y), z: self.z.min(other.z) }
     }
 
+    /// The largest coordinate, without its sign.
+    #[inline]
+    pub(crate) fn largest(self) -> T {
+        self.x.abs().max(self.y.abs()).max(self.z.abs())
+    }
+
     /// The vector of absolute values.
     #[inline]
     #[must_use]

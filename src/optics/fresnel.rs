@@ -1,6 +1,6 @@
 //! The Fresnel equations: how much light an interface reflects, by angle and polarisation.
 
-use super::refraction::{contrast, normal_part};
+use super::refraction::{normal_part, ratio};
 use crate::math::Real;
 
 /// A share of light for each polarisation.
@@ -27,20 +27,19 @@ impl<T: Real> Polarized<T> {
 /// to 1.
 ///
 /// With n = n₂/n₁, m = n² − 1 and g = √(m + c²), the Fresnel equations (Hecht, "Optics", 4.6.2) become
-/// r_s = −m/(c + g)² and r_p = (n²c − g)/(n²c + g), n²c − g = m(c(c + g) − 1)/(c + g), and cos θ₂ = g/n. No two nearly equal numbers are subtracted but
-/// in the radicand near the critical angle, which takes twice the digits there. In `f32` the reflectance is within
-/// 1e-6, and within 2e-3 for cosines up to 1e-3 from the critical one, where the last bit of the cosine counts as
-/// much.
+/// r_s = −m/(c + g)² and r_p = (n²c − g)/(n²c + g), n²c − g = m(c(c + g) − 1)/(c + g), and cos θ₂ = g/n. No two nearly
+/// equal numbers are subtracted but in the radicand near the critical angle, which takes twice the digits there. In `f32`
+/// the reflectance is within 1e-6, and within 2e-3 for cosines up to 1e-3 from the critical one, where the last bit of
+/// the cosine counts as much.
 #[inline]
 #[must_use]
 pub fn fresnel_dielectric<T: Real>(n1: T, n2: T, cosine: T) -> Option<(Polarized<T>, T)> {
-    let n = n2 / n1;
-    let m = contrast(n1, n2);
+    let (n, m) = ratio(n1, n2);
     if m == T::ZERO {
         // Between equal media nothing is reflected and nothing bent, not even along the interface.
         return Some((Polarized { s: T::ZERO, p: T::ZERO }, cosine));
     }
-    let g = normal_part(n1, n2, m, cosine)?;
+    let g = normal_part(n1, n2, (n, m), cosine)?;
     let sum = cosine + g;
     let (s, dense) = (m / (sum * sum), n * n * cosine);
     // Of nearly equal indices the difference n²c − g would lose its digits.

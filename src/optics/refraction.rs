@@ -9,14 +9,15 @@ use crate::math::{Real, Twofold, Vec3};
 #[inline]
 #[must_use]
 pub fn transmitted_cosine<T: Real>(n1: T, n2: T, cosine: T) -> Option<T> {
-    let n = n2 / n1;
-    Some(normal_part(n1, n2, contrast(n1, n2), cosine)? / n)
+    let (n, m) = ratio(n1, n2);
+    Some(normal_part(n1, n2, (n, m), cosine)? / n)
 }
 
-/// m = n² − 1 for n = n₂/n₁, which keeps its digits for nearly equal indices.
+/// n = n₂/n₁ and m = n² − 1, which keeps its digits for nearly equal indices.
 #[inline]
-pub(super) fn contrast<T: Real>(n1: T, n2: T) -> T {
-    (n2 - n1) / n1 * ((n2 + n1) / n1)
+pub(super) fn ratio<T: Real>(n1: T, n2: T) -> (T, T) {
+    let inverse = T::ONE / n1;
+    (n2 * inverse, (n2 - n1) * inverse * ((n2 + n1) * inverse))
 }
 
 /// g = n·cos θ₂ = √(n² − 1 + c²) for n = n₂/n₁ and m = n² − 1; `None` where the radicand is negative.
@@ -24,8 +25,7 @@ pub(super) fn contrast<T: Real>(n1: T, n2: T) -> T {
 /// The radicand is n² − sin²θ₁ or m + c², whichever keeps more digits. Near the critical angle both cancel; there it is
 /// worked out in twice the digits, so that rounding neither makes a total reflection nor hides one.
 #[inline]
-pub(super) fn normal_part<T: Real>(n1: T, n2: T, m: T, cosine: T) -> Option<T> {
-    let n = n2 / n1;
+pub(super) fn normal_part<T: Real>(n1: T, n2: T, (n, m): (T, T), cosine: T) -> Option<T> {
     let (whole, rest) =
         if n * n < T::HALF { (n * n, (cosine - T::ONE) * (cosine + T::ONE)) } else { (cosine * cosine, m) };
     let mut radicand = whole + rest;

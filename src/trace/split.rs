@@ -19,26 +19,30 @@ pub(super) struct Split<T> {
 }
 
 /// A surface seen from the side of the incident ray.
-pub(super) struct Facing<T> {
+pub(super) struct Facing<'s, T> {
+    surface: &'s Surface<T>,
     geometric: Vec3<T>,
     normal: Vec3<T>,
     incident: Vec3<T>,
-    point: Vec3<T>,
-    /// How far the cosine of the angle of incidence may be off.
-    uncertainty: T,
+    /// The number of bounces before.
+    depth: u8,
 }
 
 /// Weight of the reflected branch; weight of the transmitted branch and the cosine of its angle.
 type Weights<T> = (Rgb<T>, Option<(Rgb<T>, T)>);
 
-impl<T: Real> Facing<T> {
-    /// `depth` is the number of bounces before. Each leaves the direction good to 8 roundings: 3 of the new direction, as
-    /// many of its length, and 2 of the normal, which turns within the rounding of the point as well.
-    pub(super) fn new(surface: &Surface<T>, front: bool, incident: Vec3<T>, depth: u8) -> Self {
+impl<'s, T: Real> Facing<'s, T> {
+    pub(super) fn new(surface: &'s Surface<T>, front: bool, incident: Vec3<T>, depth: u8) -> Self {
         let (geometric, normal) = surface.normals(front);
-        let bounces = T::from_u32(u32::from(depth) + 1);
-        let uncertainty = bounces * (T::from_f32(8.0) * T::ROUNDOFF + surface.turn);
-        Self { geometric, normal, incident, point: surface.point, uncertainty }
+        Self { surface, geometric, normal, incident, depth }
+    }
+
+    /// How far the cosine of the angle of incidence may be off. Each bounce leaves the direction good to 8 roundings: 3 of
+    /// the new direction, as many of its length, and 2 of the normal, which turns within the rounding of the point as well.
+    #[cold]
+    fn uncertainty(&self) -> T {
+        let bounces = T::from_u32(u32::from(self.depth) + 1);
+        bounces * (T::from_f32(8.0) * T::ROUNDOFF + self.surface.turn())
     }
 
     /// What an interface between media of these indices does. `n2` is not looked at where nothing is transmitted.
@@ -57,7 +61,7 @@ impl<T: Real> Facing<T> {
             }
             Interface::Conductor { index, extinction, film: Some(film) } if effects.has(Effects::CONDUCTOR_FILM) => {
                 let base = index.zip(extinction, |re, im| Complex { re, im });
-                self.mirror(|cosine| reflectance_of_film::<T, EFFECTS>(&film, self.point, n1, base, cosine))
+                self.mirror(|cosine| reflectance_of_film::<T, EFFECTS>(&film, self.surface.point, n1, base, cosine))
             }
             Interface::Conductor { index, extinction, .. } if effects.has(Effects::CONDUCTOR) => {
                 let r = |cosine, index, extinction| fresnel_conductor(index / n1, extinction / n1, cosine).mean();
@@ -74,7 +78,7 @@ impl<T: Real> Facing<T> {
                 self.both(n1, n2, |cosine| match transmitted_cosine(n1, n2, cosine) {
                     Some(transmitted_cosine) => {
                         let base = Rgb::grey(Complex { re: n2, im: T::ZERO });
-                        let r = reflectance_of_film::<T, EFFECTS>(&film, self.point, n1, base, cosine);
+                        let r = reflectance_of_film::<T, EFFECTS>(&film, self.surface.point, n1, base, cosine);
                         (r, Some((r.map(|r| T::ONE - r), transmitted_cosine)))
                     }
                     None => (Rgb::WHITE, None),
@@ -124,7 +128,7 @@ impl<T: Real> Facing<T> {
             let (reflected, transmitted) = match weights(cosine) {
                 // Total reflection that rounding may have made is none: what has entered glass through its surface gets
                 // out through the surface opposite.
-                (_, None) => weights((cosine + self.uncertainty).min(T::ONE)),
+                (_, None) => weights((cosine + self.uncertainty()).min(T::ONE)),
                 certain => certain,
             };
             let transmitted = transmitted.map(|(weight, transmitted_cosine)| {
