@@ -201,7 +201,8 @@ fn scenes_agree_with_povray() {
         let picture = render(scene, Settings { budget, ..Settings::new(expected.width, expected.height) });
         let off = share_over(1e-4, &picture, &expected.pixels);
         println!("{name:11} {}; {off} off by more than 1e-4", Difference::between(&picture, &expected.pixels));
-        assert!(off <= 0.001, "{name}: {off} of the pixels are off by more than 1e-4");
+        // Two pixels of 19,200 see a border of the glass within a ray's rounding.
+        assert!(off <= 0.000_15, "{name}: {off} of the pixels are off by more than 1e-4");
     }
 }
 

@@ -4,7 +4,7 @@ use whit::optics::reflect;
 use whit::scene::Medium;
 use whit::{Background, Intersection, Material, Object, Pattern, Ray, Rgb, Scene, Shape, Vec3};
 
-use crate::naive_reflect;
+use crate::naive;
 use crate::support::{Alone, Nested, Random, dot, double, plus, scene, shoot, single, unit};
 
 const BOUNCES: usize = 64;
@@ -82,7 +82,7 @@ fn the_textbook_form_loses_its_length() {
         let normal = single(random.direction()).normalized();
         let mut direction = array(single(unit(plus(double(normal), 0.5, across(&mut random, double(normal))))));
         for _ in 0..BOUNCES {
-            direction = naive_reflect::reflect(direction, array(normal));
+            direction = naive::reflect::reflect(direction, array(normal));
         }
         let length = dot(direction.map(f64::from), direction.map(f64::from)).sqrt();
         (length - 1.0).abs()

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use whit::optics::{fresnel_dielectric, transmitted_cosine};
 
 use crate::exact::{critical_cosine, is_total};
-use crate::snell;
+use crate::naive::snell;
 use crate::support::{Random, ulps_up};
 
 /// Indices from 1.0000001 to 1000.

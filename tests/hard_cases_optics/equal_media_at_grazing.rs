@@ -3,7 +3,7 @@
 use whit::optics::{Polarized, fresnel_dielectric};
 use whit::{Background, Material, Object, Ray, Rgb, Shape, Vec3};
 
-use crate::snell;
+use crate::naive::snell;
 use crate::support::{Alone, scene, shoot};
 
 const COSINES: [f32; 9] = [0.0, 1e-45, 1e-40, 1e-38, 1e-30, 1e-22, 1e-20, 1e-19, 1e-12];

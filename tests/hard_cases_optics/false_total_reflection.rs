@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use whit::scene::Triangle;
 use whit::{Background, Material, Object, Ray, Rgb, Scene, Shape, Tracer, Vec3};
 
-use crate::glass_ball::{self, Way};
+use crate::naive::glass_ball::{self, Way};
 use crate::support::{Alone, Nested, Random, cross, dot, double, plus, scene, shoot, single, unit};
 
 const ALL: u64 = whit::Effects::ALL.bits();

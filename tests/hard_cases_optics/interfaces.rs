@@ -6,7 +6,7 @@ use whit::scene::Medium;
 use whit::{Background, Fresnel, Interface, Material, Object, Ray, Rgb, Shape, Vec3};
 
 use crate::exact::fresnel;
-use crate::schlick_incident;
+use crate::naive::schlick_incident;
 use crate::support::{Alone, Random, UP, cross, double, plus, scene, shoot, single, unit};
 
 /// What a ray hardly touches is seen like a mirror, whatever it is made of.

@@ -5,18 +5,8 @@
 //! from `f64`, worked out here and not by the library.
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 
-#[path = "../../examples/stability/naive/glass_ball.rs"]
-mod glass_ball;
-#[path = "../../examples/stability/naive/attenuation.rs"]
-mod naive_attenuation;
-#[path = "../../examples/stability/naive/highlight.rs"]
-mod naive_highlight;
-#[path = "../../examples/stability/naive/reflect.rs"]
-mod naive_reflect;
-#[path = "../../examples/stability/naive/schlick_incident.rs"]
-mod schlick_incident;
-#[path = "../../examples/stability/naive/snell.rs"]
-mod snell;
+#[path = "../../examples/stability/naive/mod.rs"]
+mod naive;
 
 mod chains;
 mod coincidence;

@@ -4,7 +4,7 @@
 use whit::optics::fresnel_dielectric;
 
 use crate::exact::{critical_cosine, fresnel};
-use crate::snell;
+use crate::naive::snell;
 use crate::support::Random;
 
 /// The largest error of a reflectance, at angles that are not critical to one part in a hundred.

@@ -4,15 +4,15 @@ use whit::optics::transmittance;
 use whit::scene::{Exponent, Highlight, Lobe, Medium};
 use whit::{Background, Interface, Light, Material, Object, Ray, Rgb, Shape, Vec3};
 
+use crate::naive;
 use crate::support::{Alone, Nested, Random, UP, dot, double, plus, scene, shoot, single, unit};
-use crate::{naive_attenuation, naive_highlight};
 
 const DOWN: Ray<f32> = Ray { origin: Vec3::new(0.0, 3.0, 0.0), direction: Vec3::new(0.0, -1.0, 0.0) };
 
 /// Small steps through a dense medium take more light than there is.
 #[test]
 fn attenuation_by_steps_makes_light() {
-    let left = |constant| naive_attenuation::transmittance(constant, 1.0, 100);
+    let left = |constant| naive::attenuation::transmittance(constant, 1.0, 100);
     assert!(left(150.0) > 0.0 && left(250.0) > 1e10 && !left(2000.0).is_finite());
 }
 
@@ -100,7 +100,7 @@ fn the_textbook_highlight_blows_up() {
     let mut random = Random::new(90);
     let brightest = (0..10_000).map(|_| {
         let Vec3 { x, y, z } = single(random.direction()).normalized();
-        naive_highlight::highlight([x, y, z], [x, y, z], 1e12)
+        naive::highlight::highlight([x, y, z], [x, y, z], 1e12)
     });
     assert_eq!(brightest.fold(0.0, f32::max), f32::INFINITY);
 }

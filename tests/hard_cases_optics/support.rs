@@ -25,19 +25,18 @@ pub fn shoot<const MEDIA: usize>(
     (light, stats)
 }
 
-/// A number in [0, 1) for each call: a linear congruential generator with its high bits mixed down.
+/// `fastrand`'s numbers, in the ways that hard cases ask for.
 #[derive(Clone)]
-pub struct Random(u64);
+pub struct Random(fastrand::Rng);
 
 impl Random {
     pub fn new(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x0123_4567_89ab_cdef)
+        Self(fastrand::Rng::with_seed(seed))
     }
 
+    /// In [0, 1).
     pub fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        let mixed = (self.0 ^ (self.0 >> 32)).wrapping_mul(0x2545_f491_4f6c_dd1d);
-        (mixed >> 11) as f64 / (1_u64 << 53) as f64
+        self.0.f64()
     }
 
     pub fn between(&mut self, low: f64, high: f64) -> f64 {

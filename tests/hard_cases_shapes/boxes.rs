@@ -7,8 +7,9 @@
 use whit::{Intersection, Ray, Shape, Vec3};
 
 use crate::exact::{ROUNDOFF, exact, nudged, ray_to};
+use crate::naive::slab;
 use crate::random::Random;
-use crate::{Fault, assert_faultless, faults, meet, slab};
+use crate::{Fault, assert_faultless, faults, meet};
 
 /// How far rounding may move a face, in parts of its distance from the ray's origin along its axis: two distances, good
 /// to 3 roundings each, are compared.

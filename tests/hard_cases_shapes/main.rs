@@ -24,10 +24,8 @@ mod self_hits_of_planes;
 mod solids;
 mod triangles;
 
-#[path = "../../examples/stability/naive/moller_trumbore.rs"]
-mod moller_trumbore;
-#[path = "../../examples/stability/naive/slab.rs"]
-mod slab;
+#[path = "../../examples/stability/naive/mod.rs"]
+mod naive;
 
 use rayon::prelude::*;
 use whit::{Background, Camera, Effects, Intersection, Material, Object, Ray, Rgb, Scene, Shape, Tracer, Vec3};

@@ -2,30 +2,23 @@
 
 use whit::Vec3;
 
-/// Steele, Lea and Flood's SplitMix64.
-pub struct Random(u64);
+/// `fastrand`'s numbers, in the ways that hard cases ask for.
+pub struct Random(fastrand::Rng);
 
 impl Random {
     /// A stream for each case and round.
     pub fn new(case: u64, round: u64) -> Self {
-        Self((case << 48) ^ round.wrapping_mul(0xd134_2543_de82_ef95))
-    }
-
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        x ^ (x >> 31)
+        Self(fastrand::Rng::with_seed((case << 48) ^ round))
     }
 
     /// From 0 to `count` − 1.
     pub fn below(&mut self, count: usize) -> usize {
-        (self.bits() % count as u64) as usize
+        self.0.usize(..count)
     }
 
     /// In [0, 1).
     pub fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+        self.0.f64()
     }
 
     /// In [−1, 1).

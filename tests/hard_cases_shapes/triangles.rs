@@ -11,8 +11,9 @@ use whit::{Intersection, Ray, Shape, Vec3};
 
 use crate::exact::{ROUNDOFF, dot, exact, length, minus, nudged, plus, rounded, times, unit};
 use crate::meshes::{Mesh, Seam};
+use crate::naive::moller_trumbore;
 use crate::random::Random;
-use crate::{Shapes, assert_faultless, faults, moller_trumbore};
+use crate::{Shapes, assert_faultless, faults};
 
 /// A mesh and its seams.
 struct Target {
