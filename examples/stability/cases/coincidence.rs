@@ -45,8 +45,8 @@ whit's answer does not depend on the order of work, on rows, steps or workers. I
   roundings are equally near, so rounding never decides.
 - **Glass flush with its water**, and other media whose surfaces coincide: both are crossed at once, and the one of higher priority
   ([`Medium::priority`](../src/scene/medium.rs)) counts; each border has the right pair of indices.
-- **Touching surfaces**: an origin is moved by at most 40u of its coordinates, so two surfaces farther apart than that are
-  never confused. Nearer to a point of contact than that a ray may start inside of the neighbour.
+- **Touching surfaces**: an origin is moved by a few roundings of the coordinates and sizes at hand (on a sphere by at most 40u
+  of the coordinates), so two surfaces farther apart than that are never confused. Nearer to a point of contact than that a ray may start inside of the neighbour.
 - **An eye on a surface** is on the side that it looks to.
 - **A light on a surface** is not in its shadow, to 2⁻¹³ of the distance. **A light inside an object** is, and a point exactly
   at a light gets none of it.

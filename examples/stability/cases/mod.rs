@@ -22,7 +22,9 @@ Scenes and rays that break ray tracers: what goes wrong in a naive form, what wh
 meets. The naive forms are in [`examples/stability/naive`](../examples/stability/naive); the tests show that they fail and
 that the library does not:
 
-    cargo test --test 'hard_cases_*' --test scale_invariance --test anything
+    cargo test --test 'hard_cases_*' --test scale_invariance --test anything -- --nocapture
+
+prints the figures that are quoted here; `WHIT_HARD_CASES=full` before it traces ten times as many rays.
 
 This page and its pictures, naive on the left and whit on the right, are written by
 
