@@ -1,0 +1,58 @@
+//! Text, files and the end of a program, through the debugger or the emulator (semihosting).
+//!
+//! By the calls themselves and not by what the package builds on them, which is larger than a small tracer.
+
+use core::ffi::CStr;
+use core::panic::PanicInfo;
+
+use semihosting::fd::{AsFd, OwnedFd};
+use semihosting::sys::arm_compat::{OpenMode, sys_open, sys_rename, sys_write_orig};
+
+use super::{Outcome, print};
+
+/// Prints bytes of text for the user.
+pub fn write(text: &[u8]) {
+    // What the specification calls the console.
+    if let Ok(console) = sys_open(c":tt", OpenMode::WRONLY_TRUNC) {
+        let _ = sys_write_orig(console.as_fd(), text); // Without a host there is nobody to be told.
+    }
+}
+
+/// Ends the program, and with it the emulator.
+pub fn finish(outcome: Outcome) -> ! {
+    if let Err(problem) = outcome {
+        print("error: ");
+        print(problem);
+        print("\n");
+    }
+    semihosting::process::exit(outcome.is_err().into())
+}
+
+#[panic_handler]
+fn panic(_: &PanicInfo<'_>) -> ! {
+    finish(Err("panic"))
+}
+
+/// A file on the host.
+pub struct File(OwnedFd);
+
+impl File {
+    /// A new file, in place of one of that name.
+    pub fn create(name: &CStr) -> Result<Self, &'static str> {
+        let file = sys_open(name, OpenMode::WRONLY_TRUNC_BINARY);
+        Ok(Self(file.map_err(|_| "the file cannot be created; is there a folder for it?")?))
+    }
+
+    /// Adds to the file.
+    pub fn write(&mut self, bytes: &[u8]) -> Outcome {
+        match sys_write_orig(self.0.as_fd(), bytes) {
+            Ok(0) => Ok(()), // bytes are left
+            _ => Err("the file cannot be written to"),
+        }
+    }
+}
+
+/// Gives a file another name, in place of one of that name.
+pub fn rename(from: &CStr, to: &CStr) -> Outcome {
+    sys_rename(from, to).map_err(|_| "the file cannot be renamed")
+}

@@ -1,0 +1,74 @@
+//! Renders a scene on a board, a row at a time, into a file on the host.
+//!
+//!     cargo run --release --example firmware --target thumbv7em-none-eabihf
+//!     WHIT_SCENE=glass WHIT_SIZE=64x48 WHIT_DEPTH=8 cargo run --release --example firmware --target thumbv6m-none-eabi
+//!
+//! The picture is `target/firmware.ppm`. Beside it the program says the checksum of its linear pixels, how many instructions
+//! the processor took for it and how much stack. Without `--target` it runs on the machine at hand.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+#![allow(unsafe_code, clippy::indexing_slicing, clippy::panic)] // In constants, which the compiler evaluates.
+#![cfg_attr(target_arch = "wasm32", allow(unused))]
+
+#[path = "../board/mod.rs"]
+mod board;
+#[path = "../board/checksum.rs"]
+mod checksum;
+mod choice;
+mod picture;
+
+use core::mem::MaybeUninit;
+
+use board::{Clock, Outcome, paint_stack, print, print_number};
+use choice::{DEPTH, Drawn, NAME, SCENE, SIZE};
+use picture::Picture;
+use whit::render::RenderError;
+use whit::{Frame, Settings};
+
+board::start!(render);
+
+/// The state of the picture is a variable, so that the linker says how much memory is needed.
+static mut FRAME: MaybeUninit<Drawn> = MaybeUninit::uninit();
+static mut PICTURE: MaybeUninit<Picture> = MaybeUninit::uninit();
+
+fn render() -> Outcome {
+    print("scene ");
+    print(NAME);
+    print("\n");
+    let tracer = whit::tracer!(SCENE, DEPTH as usize);
+    let settings = Settings::new(SIZE[0], SIZE[1]).with_depth(DEPTH);
+    // SAFETY: this function is called once, and nothing else names the variables.
+    let (frame, picture) = unsafe { (&mut *(&raw mut FRAME), &mut *(&raw mut PICTURE)) };
+    let frame =
+        frame.write(Frame::new(&tracer, settings).map_err(|_| "WHIT_SIZE: expected 1 to 1048576 pixels a side")?);
+    let picture = picture.write(Picture::create()?);
+
+    let clock = Clock::start();
+    let stack = paint_stack();
+    let rendered = draw(frame, picture);
+    let stack = stack.map(|stack| stack.used());
+    let instructions = clock.map(|clock| clock.instructions());
+    rendered.map_err(|error| match error {
+        RenderError::Framebuffer(problem) => problem,
+        RenderError::Size { .. } => "the picture and the frame differ in size",
+    })?;
+
+    print("checksum ");
+    board::print_hexadecimal(picture.finish()?);
+    report("\ninstructions ", instructions);
+    report("\nstack ", stack.map(u64::from));
+    print("\n");
+    Ok(())
+}
+
+/// A function of its own, so that all the stack that rendering takes lies below its caller's.
+#[inline(never)]
+fn draw(frame: &mut Drawn, picture: &mut Picture) -> Result<(), RenderError<&'static str>> {
+    frame.render(picture)
+}
+
+fn report(name: &str, number: Option<u64>) {
+    if let Some(number) = number {
+        print(name);
+        print_number(number);
+    }
+}
