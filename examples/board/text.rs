@@ -34,6 +34,7 @@ pub fn print_hexadecimal(number: u64) {
 }
 
 /// All that fit into 64 bits, from the largest.
+#[allow(clippy::indexing_slicing)] // Evaluated by the compiler.
 static POWERS_OF_TEN: [u64; 20] = {
     let mut powers = [1; 20];
     let mut place = powers.len() - 1;

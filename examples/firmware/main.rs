@@ -36,8 +36,9 @@ fn render() -> Outcome {
     print("\n");
     let tracer = whit::tracer!(SCENE, DEPTH as usize);
     let settings = Settings::new(SIZE[0], SIZE[1]).with_depth(DEPTH);
+    let (frame, picture) = (&raw mut FRAME, &raw mut PICTURE);
     // SAFETY: this function is called once, and nothing else names the variables.
-    let (frame, picture) = unsafe { (&mut *(&raw mut FRAME), &mut *(&raw mut PICTURE)) };
+    let (frame, picture) = unsafe { (&mut *frame, &mut *picture) };
     let frame =
         frame.write(Frame::new(&tracer, settings).map_err(|_| "WHIT_SIZE: expected 1 to 1048576 pixels a side")?);
     let picture = picture.write(Picture::create()?);
