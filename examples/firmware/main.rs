@@ -18,17 +18,17 @@ mod picture;
 
 use core::mem::MaybeUninit;
 
-use board::{Clock, Outcome, paint_stack, print, print_number};
+use board::{Clock, Outcome, paint_stack, print, print_hexadecimal, print_number};
 use choice::{DEPTH, Drawn, NAME, SCENE, SIZE};
-use picture::Picture;
+use picture::{Picture, Row, RowIsFull};
 use whit::render::RenderError;
 use whit::{Frame, Settings};
 
 board::start!(render);
 
-/// The state of the picture is a variable, so that the linker says how much memory is needed.
+/// Variables, so that the linker says how much memory is needed.
 static mut FRAME: MaybeUninit<Drawn> = MaybeUninit::uninit();
-static mut PICTURE: MaybeUninit<Picture> = MaybeUninit::uninit();
+static mut ROW: Row = Row::new();
 
 fn render() -> Outcome {
     print("scene ");
@@ -36,35 +36,42 @@ fn render() -> Outcome {
     print("\n");
     let tracer = whit::tracer!(SCENE, DEPTH as usize);
     let settings = Settings::new(SIZE[0], SIZE[1]).with_depth(DEPTH);
-    let (frame, picture) = (&raw mut FRAME, &raw mut PICTURE);
+    let (frame, row) = (&raw mut FRAME, &raw mut ROW);
     // SAFETY: this function is called once, and nothing else names the variables.
-    let (frame, picture) = unsafe { (&mut *frame, &mut *picture) };
+    let (frame, row) = unsafe { (&mut *frame, &mut *row) };
     let frame =
         frame.write(Frame::new(&tracer, settings).map_err(|_| "WHIT_SIZE: expected 1 to 1048576 pixels a side")?);
-    let picture = picture.write(Picture::create()?);
+    let mut picture = Picture::create()?;
 
     let clock = Clock::start();
     let stack = paint_stack();
-    let rendered = draw(frame, picture);
+    while draw_row(frame, row)? {
+        picture.write(row)?;
+    }
     let stack = stack.map(|stack| stack.used());
     let instructions = clock.map(|clock| clock.instructions());
-    rendered.map_err(|error| match error {
-        RenderError::Framebuffer(problem) => problem,
-        RenderError::Size { .. } => "the picture and the frame differ in size",
-    })?;
 
+    picture.finish()?;
     print("checksum ");
-    board::print_hexadecimal(picture.finish()?);
+    print_hexadecimal(row.checksum());
     report("\ninstructions ", instructions);
     report("\nstack ", stack.map(u64::from));
     print("\n");
     Ok(())
 }
 
-/// A function of its own, so that all the stack that rendering takes lies below its caller's.
+/// Whether there is another row, which is then in `row`.
+///
+/// A function of its own, so that all the stack that rendering takes lies below its caller's, and of a name that can be found
+/// in the program.
+#[unsafe(no_mangle)]
 #[inline(never)]
-fn draw(frame: &mut Drawn, picture: &mut Picture) -> Result<(), RenderError<&'static str>> {
-    frame.render(picture)
+fn draw_row(frame: &mut Drawn, row: &mut Row) -> Result<bool, &'static str> {
+    match frame.render(row) {
+        Ok(()) => Ok(false),
+        Err(RenderError::Framebuffer(RowIsFull)) => Ok(true),
+        Err(RenderError::Size { .. }) => Err("the row and the frame differ in size"),
+    }
 }
 
 fn report(name: &str, number: Option<u64>) {

@@ -13,45 +13,71 @@ const NAME: &CStr = c"target/firmware.ppm";
 /// What the file is called until it is whole.
 const UNFINISHED: &CStr = c"target/firmware.ppm.part";
 
-/// The file and a row for it.
-pub struct Picture {
-    file: File,
-    row: [[u8; 3]; WIDTH],
+/// A row of the picture. When it is full, rendering stops with an error, and goes on when the row has been written: so
+/// nothing is written from within rendering, on top of its stack.
+pub struct Row {
+    pixels: [[u8; 3]; WIDTH],
+    is_full: bool,
     checksum: Checksum,
 }
 
-impl Picture {
-    /// An empty picture.
-    pub fn create() -> Result<Self, &'static str> {
-        let mut file = File::create(UNFINISHED)?;
-        file.write(&HEADER)?;
-        Ok(Self { file, row: [[0; 3]; WIDTH], checksum: Checksum::EMPTY })
+/// The row is to be written.
+pub struct RowIsFull;
+
+impl Row {
+    /// The first row, empty.
+    pub const fn new() -> Self {
+        Self { pixels: [[0; 3]; WIDTH], is_full: false, checksum: Checksum::EMPTY }
     }
 
-    /// Ends the file; gives the checksum of the linear pixels.
-    pub fn finish(&mut self) -> Result<u64, &'static str> {
-        rename(UNFINISHED, NAME)?;
-        Ok(self.checksum.value())
+    /// Of the linear pixels so far.
+    pub fn checksum(&self) -> u64 {
+        self.checksum.value()
     }
 }
 
-impl Framebuffer for Picture {
-    type Error = &'static str;
+impl Framebuffer for Row {
+    type Error = RowIsFull;
 
     fn size(&self) -> Size {
         Size::new(SIZE[0], SIZE[1])
     }
 
-    fn put(&mut self, pixel: Pixel) -> Outcome {
+    fn put(&mut self, pixel: Pixel) -> Result<(), RowIsFull> {
         self.checksum.add(&pixel);
-        if let Some(place) = self.row.get_mut(pixel.x as usize) {
+        if let Some(place) = self.pixels.get_mut(pixel.x as usize) {
             *place = Encoding::of(&SCENE).encode8(pixel.color);
         }
         Ok(())
     }
 
-    fn end_row(&mut self, _: u32) -> Outcome {
-        self.file.write(self.row.as_flattened())
+    /// The second call for a row, when rendering goes on, says that it has been written.
+    fn end_row(&mut self, _: u32) -> Result<(), RowIsFull> {
+        self.is_full = !self.is_full;
+        if self.is_full { Err(RowIsFull) } else { Ok(()) }
+    }
+}
+
+/// The picture's file.
+pub struct Picture(File);
+
+impl Picture {
+    /// A picture without rows.
+    pub fn create() -> Result<Self, &'static str> {
+        let mut file = File::create(UNFINISHED)?;
+        file.write(&HEADER)?;
+        Ok(Self(file))
+    }
+
+    /// Adds a row.
+    pub fn write(&mut self, row: &Row) -> Outcome {
+        self.0.write(row.pixels.as_flattened())
+    }
+
+    /// Gives the file its name, in place of an older picture.
+    pub fn finish(self) -> Outcome {
+        drop(self);
+        rename(UNFINISHED, NAME)
     }
 }
 
