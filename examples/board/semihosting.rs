@@ -8,12 +8,16 @@ use core::panic::PanicInfo;
 use semihosting::fd::{AsFd, OwnedFd};
 use semihosting::sys::arm_compat::{OpenMode, sys_open, sys_rename, sys_write_orig};
 
-use super::{Outcome, print};
+use super::Outcome;
 
 /// Prints bytes of text for the user.
 pub fn write(text: &[u8]) {
-    // What the specification calls the console.
-    if let Ok(console) = sys_open(c":tt", OpenMode::WRONLY_TRUNC) {
+    write_to(OpenMode::WRONLY_TRUNC, text);
+}
+
+/// Of the console, as the specification calls it, the mode tells the output from that for errors.
+fn write_to(mode: OpenMode, text: &[u8]) {
+    if let Ok(console) = sys_open(c":tt", mode) {
         let _ = sys_write_orig(console.as_fd(), text); // Without a host there is nobody to be told.
     }
 }
@@ -21,9 +25,9 @@ pub fn write(text: &[u8]) {
 /// Ends the program, and with it the emulator.
 pub fn finish(outcome: Outcome) -> ! {
     if let Err(problem) = outcome {
-        print("error: ");
-        print(problem);
-        print("\n");
+        for text in ["error: ", problem, "\n"] {
+            write_to(OpenMode::WRONLY_APPEND, text.as_bytes());
+        }
     }
     semihosting::process::exit(outcome.is_err().into())
 }

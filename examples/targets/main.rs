@@ -1,5 +1,5 @@
-//! Writes docs/targets.md: what rendering takes on each processor; or checks that it takes no more. Both fail where a picture
-//! on any of them differs in a bit from the one rendered here.
+//! Writes docs/targets.md, what rendering takes on each processor, and a picture from each beside it; or checks that it takes no more. Both fail where a picture
+//! on any of them differs in a bit from the one rendered here, and where firmware does not refuse what it must.
 //!
 //!     cargo run --release --example targets
 //!     cargo run --release --example targets -- --check
@@ -25,9 +25,11 @@ mod library;
 #[path = "../stack/names.rs"]
 mod names;
 mod page;
+mod pictures;
 #[allow(dead_code)]
 #[path = "../stack/problem.rs"]
 mod problem;
+mod refusals;
 mod scene;
 mod target;
 #[path = "../stack/wide.rs"]
@@ -57,9 +59,7 @@ struct Arguments {
 
 fn main() -> ExitCode {
     let Arguments { page, check } = Arguments::parse();
-    let done = check_conformance()
-        .and_then(|()| measure_all())
-        .and_then(|measures| if check { compare(&page, &measures) } else { write(&page, &measures) });
+    let done = check_all().and_then(|measures| if check { compare(&page, &measures) } else { write(&page, &measures) });
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
@@ -67,6 +67,12 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+fn check_all() -> Result<Vec<Measure>, String> {
+    check_conformance()?;
+    refusals::check()?;
+    measure_all()
 }
 
 /// The program `conformance` prints the same on all machines.
@@ -111,7 +117,7 @@ fn write(page: &Path, measures: &[Measure]) -> Result<(), String> {
     let text = page::page(measures, &compiler()?);
     std::fs::write(page, text).map_err(|error| format!("{}: {error}", page.display()))?;
     println!("{}", page.display());
-    Ok(())
+    pictures::write(&page.with_file_name("images/targets"))
 }
 
 fn compare(page: &Path, measures: &[Measure]) -> Result<(), String> {
