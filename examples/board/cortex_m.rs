@@ -4,7 +4,7 @@ use core::sync::atomic::{AtomicU32, Ordering};
 
 use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m::peripheral::{Peripherals, SYST};
-use cortex_m_rt::exception;
+use cortex_m_rt::{ExceptionFrame, exception};
 
 /// The table of the interrupts of a board's own devices ends after the first: none is turned on.
 #[unsafe(link_section = ".vector_table.interrupts")]
@@ -13,6 +13,12 @@ static __INTERRUPTS: [unsafe extern "C" fn(); 1] = [DefaultHandler];
 
 unsafe extern "C" {
     fn DefaultHandler();
+}
+
+/// The processor found an instruction or an address that is none.
+#[exception]
+unsafe fn HardFault(_: &ExceptionFrame) -> ! {
+    super::finish(Err("fault of the processor; was there too little memory for the stack?"))
 }
 
 /// The largest value of the timer, SysTick.

@@ -12,6 +12,11 @@ pub fn write(text: &[u8]) {
     print!("{}", String::from_utf8_lossy(text));
 }
 
+/// Prints bytes of text about what went wrong.
+pub fn write_error(text: &[u8]) {
+    eprint!("{}", String::from_utf8_lossy(text));
+}
+
 /// The program's exit code.
 pub fn finish(outcome: Outcome) -> ExitCode {
     match outcome {
@@ -39,6 +44,14 @@ impl File {
     pub fn write(&mut self, bytes: &[u8]) -> Outcome {
         self.file.write_all(bytes).map_err(|_| "the file cannot be written to")
     }
+}
+
+/// Reads a whole file into memory; gives the bytes of it.
+pub fn read_file<'a>(name: &CStr, memory: &'a mut [u8]) -> Result<&'a [u8], &'static str> {
+    let bytes = fs::read(path(name)).map_err(|_| "the file cannot be opened")?;
+    let place = memory.get_mut(..bytes.len()).ok_or("the file is larger than the memory for it")?;
+    place.copy_from_slice(&bytes);
+    Ok(place)
 }
 
 /// Gives a file another name, in place of one of that name.
@@ -75,7 +88,7 @@ pub fn paint_stack() -> Option<Painted> {
 
 impl Painted {
     /// The bytes that were written to since.
-    pub fn used(&self) -> u32 {
+    pub fn used(&self) -> Result<u32, &'static str> {
         match *self {}
     }
 }

@@ -23,13 +23,13 @@ pub use cortex_m::Clock;
 #[cfg(not(any(target_os = "none", target_arch = "wasm32")))]
 use host::write;
 #[cfg(not(any(target_os = "none", target_arch = "wasm32")))]
-pub use host::{Clock, File, finish, paint_stack, rename};
+pub use host::{Clock, File, finish, paint_stack, read_file, rename, write_error};
 #[cfg(all(target_arch = "riscv32", target_os = "none"))]
 pub use riscv::Clock;
 #[cfg(target_os = "none")]
 use semihosting::write;
 #[cfg(target_os = "none")]
-pub use semihosting::{File, finish, rename};
+pub use semihosting::{File, finish, read_file, rename, write_error};
 #[cfg(target_os = "none")]
 pub use stack::paint_stack;
 pub use text::{print, print_hexadecimal, print_number};

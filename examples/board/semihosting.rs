@@ -6,7 +6,7 @@ use core::ffi::CStr;
 use core::panic::PanicInfo;
 
 use semihosting::fd::{AsFd, OwnedFd};
-use semihosting::sys::arm_compat::{OpenMode, sys_open, sys_rename, sys_write_orig};
+use semihosting::sys::arm_compat::{OpenMode, sys_flen, sys_open, sys_read_orig, sys_rename, sys_write_orig};
 
 use super::Outcome;
 
@@ -22,11 +22,16 @@ fn write_to(mode: OpenMode, text: &[u8]) {
     }
 }
 
+/// Prints bytes of text about what went wrong.
+pub fn write_error(text: &[u8]) {
+    write_to(OpenMode::WRONLY_APPEND, text);
+}
+
 /// Ends the program, and with it the emulator.
 pub fn finish(outcome: Outcome) -> ! {
     if let Err(problem) = outcome {
         for text in ["error: ", problem, "\n"] {
-            write_to(OpenMode::WRONLY_APPEND, text.as_bytes());
+            write_error(text.as_bytes());
         }
     }
     semihosting::process::exit(outcome.is_err().into())
@@ -53,6 +58,17 @@ impl File {
             Ok(0) => Ok(()), // bytes are left
             _ => Err("the file cannot be written to"),
         }
+    }
+}
+
+/// Reads a whole file into memory; gives the bytes of it.
+pub fn read_file<'a>(name: &CStr, memory: &'a mut [u8]) -> Result<&'a [u8], &'static str> {
+    let file = sys_open(name, OpenMode::RDONLY_BINARY).map_err(|_| "the file cannot be opened")?;
+    let length = sys_flen(file.as_fd()).map_err(|_| "the file has no length")?;
+    let place = memory.get_mut(..length).ok_or("the file is larger than the memory for it")?;
+    match sys_read_orig(file.as_fd(), place) {
+        Ok(0) => Ok(place), // bytes are left
+        _ => Err("the file cannot be read"),
     }
 }
 

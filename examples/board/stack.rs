@@ -45,14 +45,18 @@ pub fn paint_stack() -> Option<Painted> {
 }
 
 impl Painted {
-    /// The bytes below the stack pointer at that time that were written to since.
+    /// The bytes below the stack pointer at that time that were written to since. When no byte was left, more than the stack's
+    /// memory may have been.
     #[inline(never)]
-    pub fn used(&self) -> u32 {
+    pub fn used(&self) -> Result<u32, &'static str> {
         let mut place = &raw const STACK_END;
         // SAFETY: as above.
         while (place as usize) < self.pointer && unsafe { place.read_volatile() } == PATTERN {
             place = unsafe { place.add(1) };
         }
-        (self.pointer - place as usize) as u32
+        if core::ptr::eq(place, &raw const STACK_END) {
+            return Err("the stack was used to its end: expected a smaller scene or picture, or more memory");
+        }
+        Ok((self.pointer - place as usize) as u32)
     }
 }

@@ -19,8 +19,8 @@ mod picture;
 use core::mem::MaybeUninit;
 
 use board::{Clock, Outcome, paint_stack, print, print_hexadecimal, print_number};
-use choice::{DEPTH, Drawn, NAME, SCENE, SIZE};
-use picture::{Picture, Row, RowIsFull};
+use choice::{DEPTH, Drawn, NAME, PictureFile, PixelRow, SCENE, SIZE};
+use picture::RowIsFull;
 use whit::render::RenderError;
 use whit::{Frame, Settings};
 
@@ -28,7 +28,7 @@ board::start!(render);
 
 /// Variables, so that the linker says how much memory is needed.
 static mut FRAME: MaybeUninit<Drawn> = MaybeUninit::uninit();
-static mut ROW: Row = Row::new();
+static mut ROW: MaybeUninit<PixelRow> = MaybeUninit::uninit();
 
 fn render() -> Outcome {
     print("scene ");
@@ -41,14 +41,15 @@ fn render() -> Outcome {
     let (frame, row) = unsafe { (&mut *frame, &mut *row) };
     let frame =
         frame.write(Frame::new(&tracer, settings).map_err(|_| "WHIT_SIZE: expected 1 to 1048576 pixels a side")?);
-    let mut picture = Picture::create()?;
+    let row = row.write(PixelRow::new());
+    let mut picture = PictureFile::create()?;
 
     let clock = Clock::start();
     let stack = paint_stack();
     while draw_row(frame, row)? {
         picture.write(row)?;
     }
-    let stack = stack.map(|stack| stack.used());
+    let stack = stack.map(|stack| stack.used()).transpose()?;
     let instructions = clock.map(|clock| clock.instructions());
 
     picture.finish()?;
@@ -66,7 +67,7 @@ fn render() -> Outcome {
 /// in the program.
 #[unsafe(no_mangle)]
 #[inline(never)]
-fn draw_row(frame: &mut Drawn, row: &mut Row) -> Result<bool, &'static str> {
+fn draw_row(frame: &mut Drawn, row: &mut PixelRow) -> Result<bool, &'static str> {
     match frame.render(row) {
         Ok(()) => Ok(false),
         Err(RenderError::Framebuffer(RowIsFull)) => Ok(true),

@@ -31,6 +31,7 @@ mod pictures;
 mod problem;
 mod refusals;
 mod scene;
+mod scene_file;
 mod target;
 #[path = "../stack/wide.rs"]
 mod wide;
@@ -72,6 +73,7 @@ fn main() -> ExitCode {
 fn check_all() -> Result<Vec<Measure>, String> {
     check_conformance()?;
     refusals::check()?;
+    scene_file::check()?;
     measure_all()
 }
 

@@ -42,7 +42,8 @@ fn firmware(command: &str) -> Command {
     command
 }
 
-fn refused(command: &mut Command, why: &str) -> Result<(), String> {
+/// Fails unless a command does, and says why.
+pub fn refused(command: &mut Command, why: &str) -> Result<(), String> {
     match run(command) {
         Ok(_) => Err(format!("{command:?} ended well; expected: {why}")),
         Err(message) if message.contains(why) => Ok(()),

@@ -7,7 +7,7 @@ mod polygons;
 mod robustness;
 
 use polygons::cyclic;
-use whit::scene::nff::{NffError, Summary, read, read_bytes};
+use whit::scene::nff::{EFFECTS, NffError, Summary, read, read_bytes};
 use whit::scene::{Body, Exponent, Extent, Highlight, Lobe, Shadow, Sides, SmoothTriangle};
 use whit::{Background, Camera, Interface, Light, Material, Medium, Object, Pattern, Rgb, SceneBuf, Shape, Tone, Vec3};
 
@@ -28,6 +28,19 @@ const EVERY_ENTITY: &str = include_str!("../data/nff/every_entity.nff");
 
 /// A view and a surface: 8 lines.
 const HEAD: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 32\nf 1 1 1 1 0 1 0 0\n";
+
+#[test]
+fn effects_are_those_that_files_call_for() {
+    let mut called = whit::Effects::NONE;
+    for (name, text) in FILES {
+        let mut scene = other::<640, 16>();
+        read(text, &mut scene).unwrap();
+        let effects = scene.as_scene().effects();
+        assert!(effects.without(EFFECTS).is_empty(), "{name}: {effects}");
+        called = called.with(effects);
+    }
+    assert_eq!(EFFECTS.without(called), whit::Effects::NONE);
+}
 
 /// A scene that no file of these tests describes.
 fn other<const OBJECTS: usize, const LIGHTS: usize>() -> SceneBuf<f32, OBJECTS, LIGHTS> {

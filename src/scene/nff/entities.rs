@@ -38,6 +38,11 @@ impl<'t> Reader<'t> {
         Self { lines: Lines::new(text), line: 1, surface: None, polygon: Polygon::EMPTY, is_patch: false }
     }
 
+    /// Goes back to the beginning, from the end of the text.
+    pub(super) fn start_again(&mut self, text: &'t str) {
+        (self.lines, self.line, self.surface) = (Lines::new(text), 1, None);
+    }
+
     /// The line where the last item began.
     pub(super) fn line(&self) -> usize {
         self.line

@@ -58,9 +58,23 @@ pub use error::{Found, NffError, Problem, Word};
 
 use self::entities::{Item, Reader};
 use self::view::View;
-use super::{Background, Light, SceneStore};
+use super::{Background, Effects, Light, SceneStore};
 use crate::math::{Real, Rgb};
 use crate::render::Size;
+
+/// All effects that a file can call for: a [`Tracer`](crate::Tracer) for these traces every scene that [`read`] makes.
+pub const EFFECTS: Effects = Effects::SPHERE
+    .with(Effects::TRIANGLE)
+    .with(Effects::SMOOTH_TRIANGLE)
+    .with(Effects::CONE)
+    .with(Effects::ONE_SIDED)
+    .with(Effects::BODY)
+    .with(Effects::BLINN)
+    .with(Effects::INTEGER_EXPONENT)
+    .with(Effects::REAL_EXPONENT)
+    .with(Effects::MIRROR)
+    .with(Effects::CONSTANT)
+    .with(Effects::POINT_LIGHT);
 
 /// The most vertices of one polygon or patch.
 pub const MAX_VERTICES: usize = 256;
@@ -86,11 +100,12 @@ pub struct Summary {
 /// first object, else the first light that there is no room for, with the number of objects or lights in all. The
 /// scene is as before.
 pub fn read(text: &str, scene: &mut impl SceneStore) -> Result<Summary, NffError> {
-    let survey = Survey::of(text, scene.room())?;
+    let mut reader = Reader::new(text);
+    let survey = Survey::of(&mut reader, scene.room())?;
     let (objects, lights) = (survey.objects.needed, survey.lights.needed);
     scene.restart(survey.view.camera, Background::Solid(survey.background));
     let grey = Rgb::grey(1.0 / Real::sqrt(lights as f32));
-    let mut reader = Reader::new(text);
+    reader.start_again(text);
     while let Some(item) = reader.next_item()? {
         let added = match item {
             Item::Object(object) => scene.add_object(object),
@@ -127,10 +142,9 @@ struct Survey {
 
 impl Survey {
     /// Reads all of a text, so that every error comes up.
-    fn of(text: &str, (room_for_objects, room_for_lights): (usize, usize)) -> Result<Self, NffError> {
+    fn of(reader: &mut Reader<'_>, (room_for_objects, room_for_lights): (usize, usize)) -> Result<Self, NffError> {
         let (mut view, mut background) = (None, None);
         let (mut objects, mut lights) = (Demand::new(room_for_objects), Demand::new(room_for_lights));
-        let mut reader = Reader::new(text);
         while let Some(item) = reader.next_item()? {
             let line = reader.line();
             match item {
