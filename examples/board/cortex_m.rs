@@ -4,7 +4,6 @@ use core::sync::atomic::{AtomicU32, Ordering};
 
 use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m::peripheral::{Peripherals, SYST};
-use cortex_m_rt::exception;
 
 /// The table of the interrupts of a board's own devices ends after the first: none is turned on.
 #[unsafe(link_section = ".vector_table.interrupts")]
@@ -20,8 +19,8 @@ const LONGEST: u32 = 0x00FF_FFFF;
 
 static WRAPS: AtomicU32 = AtomicU32::new(0);
 
-#[exception]
-fn SysTick() {
+/// What the clock does when its timer begins anew.
+pub fn wrap() {
     // Nothing else writes to it, and the smallest processors cannot add in one step.
     WRAPS.store(WRAPS.load(Ordering::Relaxed) + 1, Ordering::Relaxed);
 }

@@ -36,18 +36,9 @@ board::start!(show);
 /// Stays, so that the display can be looked at.
 #[cfg(target_os = "none")]
 fn show() -> Outcome {
-    use core::fmt::{self, Write};
+    use core::fmt::Write;
 
     use ssd0323::Ssd0323;
-
-    struct Console;
-
-    impl fmt::Write for Console {
-        fn write_str(&mut self, text: &str) -> fmt::Result {
-            print(text);
-            Ok(())
-        }
-    }
 
     static mut SHOWN: [u8; ssd0323::BYTES] = [0; ssd0323::BYTES];
     let (bus, data_pin) = lm3s6965evb::display();
@@ -55,7 +46,7 @@ fn show() -> Outcome {
     let shown = unsafe { &mut *(&raw mut SHOWN) };
     let mut display = Ssd0323::start(bus, data_pin, shown).map_err(|_| "the display does not start")?;
     if let Err(problem) = screen::draw(&mut display) {
-        let _ = writeln!(Console, "{problem}");
+        let _ = writeln!(board::Console, "{problem}");
         return Err("the display stays as it was");
     }
     print("drawn\n");
