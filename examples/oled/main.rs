@@ -42,8 +42,9 @@ fn show() -> Outcome {
 
     static mut SHOWN: [u8; ssd0323::BYTES] = [0; ssd0323::BYTES];
     let (bus, data_pin) = lm3s6965evb::display();
+    let shown = &raw mut SHOWN;
     // SAFETY: this function is called once, and nothing else names the variable.
-    let shown = unsafe { &mut *(&raw mut SHOWN) };
+    let shown = unsafe { &mut *shown };
     let mut display = Ssd0323::start(bus, data_pin, shown).map_err(|_| "the display does not start")?;
     if let Err(problem) = screen::draw(&mut display) {
         let _ = writeln!(board::Console, "{problem}");

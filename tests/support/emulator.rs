@@ -22,7 +22,8 @@ pub fn is_installed(target: &str, qemu: &str) -> bool {
         return true;
     };
     assert!(std::env::var("WHIT_BOARDS").is_err(), "{missing}, and WHIT_BOARDS says that it is required");
-    writeln!(std::io::stderr(), "not tested: {missing}").unwrap(); // Not held back as the output of passing tests is.
+    // Not held back, as `eprintln!` is while a test passes.
+    std::io::stderr().write_all(format!("not tested: {missing}\n").as_bytes()).unwrap();
     false
 }
 
@@ -47,11 +48,11 @@ pub fn build(example: &str, target: &str, more: &[&str]) -> PathBuf {
         .unwrap();
     assert!(output.status.success(), "{example} cannot be built for {target}");
     let messages = output.stdout.split(|&byte| byte == b'\n').filter(|line| !line.is_empty());
-    let files = messages.filter_map(|line| {
+    let mut files = messages.filter_map(|line| {
         let message: serde_json::Value = serde_json::from_slice(line).unwrap();
         message["executable"].as_str().map(PathBuf::from)
     });
-    files.last().expect("cargo names the file that it built")
+    files.next_back().expect("cargo names the file that it built")
 }
 
 /// A running QEMU, which ends with this value.
