@@ -35,7 +35,9 @@ use ssd0323::Ssd0323;
 const TARGET: &str = "thumbv7m-none-eabi";
 const QEMU: &str = "qemu-system-arm";
 
-/// WHIT_SCREENDUMP is the name of a file for the picture, if it is wanted.
+/// The picture of the README is written by
+///
+///     WHIT_SCREENDUMP=docs/images/oled.png cargo test --all-features --test oled
 #[test]
 fn the_display_shows_what_is_drawn_in_memory() {
     if !emulator::is_installed(TARGET, QEMU) {

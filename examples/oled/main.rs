@@ -9,6 +9,10 @@
 //!     CARGO_TARGET_THUMBV7M_NONE_EABI_RUNNER='qemu-system-arm -M lm3s6965evb -semihosting-config enable=on,target=native -kernel' \
 //!     cargo run --release --features embedded-graphics --example oled --target thumbv7m-none-eabi
 //!
+//! On Debian, QEMU's windows are in the package `qemu-system-gui`. The drawing takes some seconds, and what is drawn stays
+//! until the window is closed. A picture that is too large, such as one of WHIT_SIZE=160x56, ends with an error before
+//! anything is drawn.
+//!
 //! Without `--target` the same is drawn in memory, and written to `target/oled.png`:
 //!
 //!     cargo run --release --features embedded-graphics --example oled
