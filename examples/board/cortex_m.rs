@@ -26,8 +26,8 @@ const LONGEST: u32 = 0x00FF_FFFF;
 
 static WRAPS: AtomicU32 = AtomicU32::new(0);
 
-#[exception]
-fn SysTick() {
+/// What the clock does when its timer begins anew.
+pub fn wrap() {
     // Nothing else writes to it, and the smallest processors cannot add in one step.
     WRAPS.store(WRAPS.load(Ordering::Relaxed) + 1, Ordering::Relaxed);
 }

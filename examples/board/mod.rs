@@ -19,7 +19,7 @@ mod text;
 mod wasm;
 
 #[cfg(all(target_arch = "arm", target_os = "none"))]
-pub use cortex_m::Clock;
+pub use cortex_m::{Clock, wrap};
 #[cfg(not(any(target_os = "none", target_arch = "wasm32")))]
 use host::write;
 #[cfg(not(any(target_os = "none", target_arch = "wasm32")))]
@@ -32,7 +32,7 @@ use semihosting::write;
 pub use semihosting::{File, finish, read_file, rename, write_error};
 #[cfg(target_os = "none")]
 pub use stack::paint_stack;
-pub use text::{print, print_hexadecimal, print_number};
+pub use text::{Console, print, print_hexadecimal, print_number};
 #[cfg(target_arch = "wasm32")]
 use wasm::write;
 
@@ -40,12 +40,23 @@ use wasm::write;
 pub type Outcome = Result<(), &'static str>;
 
 /// Makes a function that gives an [`Outcome`] the one with which the program starts.
+///
+/// On a Cortex-M, another function may be called in each interrupt of the timer SysTick; there is no [`Clock`] then.
 macro_rules! start {
     ($main:ident) => {
+        board::start!($main, board::wrap);
+    };
+    ($main:ident, $tick:path) => {
         #[cfg(all(target_arch = "arm", target_os = "none"))]
         #[cortex_m_rt::entry]
         fn start() -> ! {
             board::finish($main())
+        }
+
+        #[cfg(all(target_arch = "arm", target_os = "none"))]
+        #[cortex_m_rt::exception]
+        fn SysTick() {
+            $tick();
         }
 
         #[cfg(all(target_arch = "riscv32", target_os = "none"))]

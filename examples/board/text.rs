@@ -1,11 +1,23 @@
 //! Text for the user. Numbers come without `core::fmt`, which is larger than a small tracer, and without divisions, which
-//! small processors do not have.
+//! small processors do not have; a program that has room for `core::fmt` takes [`Console`].
+
+use core::fmt;
 
 use super::write;
 
 /// Prints text.
 pub fn print(text: &str) {
     write(text.as_bytes());
+}
+
+/// Takes what is written by [`fmt::Write`].
+pub struct Console;
+
+impl fmt::Write for Console {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        print(text);
+        Ok(())
+    }
 }
 
 /// Prints a number in decimal.
