@@ -1,8 +1,6 @@
 //! What is rendered: chosen when the program is compiled, so that it is all that is in it.
 
-use whit::{Frame, Scene, Tone, scenes};
-
-use crate::picture::{Picture, Row};
+use whit::{Frame, Scene, scenes};
 
 /// The name of the scene: WHIT_SCENE.
 pub const NAME: &str = match option_env!("WHIT_SCENE") {
@@ -28,10 +26,6 @@ pub const DEPTH: u8 = match option_env!("WHIT_DEPTH") {
 
 /// The scene.
 pub const SCENE: Scene<'static, f32> = built_in(NAME);
-
-/// A row of the picture, and its file.
-pub type PixelRow = Row<{ SIZE[0] as usize }, { SIZE[1] }, { matches!(SCENE.tone, Tone::Linear) }>;
-pub type PictureFile = Picture<{ SIZE[0] as usize }, { SIZE[1] }, { matches!(SCENE.tone, Tone::Linear) }>;
 
 /// The state of a picture of that scene.
 pub type Drawn =

@@ -19,12 +19,16 @@ mod picture;
 use core::mem::MaybeUninit;
 
 use board::{Clock, Outcome, paint_stack, print, print_hexadecimal, print_number};
-use choice::{DEPTH, Drawn, NAME, PictureFile, PixelRow, SCENE, SIZE};
-use picture::RowIsFull;
+use choice::{DEPTH, Drawn, NAME, SCENE, SIZE};
+use picture::{Picture, Row, RowIsFull};
 use whit::render::RenderError;
-use whit::{Frame, Settings};
+use whit::{Frame, Settings, Tone};
 
 board::start!(render);
+
+/// A row of the picture, and its file.
+type PixelRow = Row<{ SIZE[0] as usize }, { SIZE[1] }, { matches!(SCENE.tone, Tone::Linear) }>;
+type PictureFile = Picture<{ SIZE[0] as usize }, { SIZE[1] }, { matches!(SCENE.tone, Tone::Linear) }>;
 
 /// Variables, so that the linker says how much memory is needed.
 static mut FRAME: MaybeUninit<Drawn> = MaybeUninit::uninit();
