@@ -202,10 +202,13 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
 
     /// Follows the tree of the current sample; `false` when the rays are used up first.
     fn trace(&mut self, rays: &mut u32) -> bool {
-        let samples = self.samples();
-        let start = if matches!(self.phase, Phase::Sample) { Some(self.eye_ray()) } else { None };
-        let context = Context { scene: self.tracer.scene(), budget: &self.settings.budget, samples };
-        let Some(light) = self.tree.advance::<EFFECTS, O>(start, &context, rays, &mut self.observer) else {
+        let scene = self.tracer.scene();
+        if matches!(self.phase, Phase::Sample) {
+            let (ray, rays) = self.eye_ray();
+            self.tree.start::<EFFECTS, O>(ray, rays, scene, &mut self.observer);
+        }
+        let context = Context { scene, budget: &self.settings.budget, samples: self.samples() };
+        let Some(light) = self.tree.advance::<EFFECTS, O>(&context, rays, &mut self.observer) else {
             self.phase = Phase::Trace;
             return false;
         };

@@ -12,9 +12,8 @@ use crate::scene::{Channel, Effects, Fresnel, Material};
 pub(super) struct Meeting<'s, T, const MEDIA: usize> {
     pub branch: &'s Branch<T, MEDIA>,
     pub material: &'s Material<T>,
+    /// Seen from where the branch comes from.
     pub surface: &'s Surface<T>,
-    /// Whether the branch comes from outside.
-    pub front: bool,
     pub border: &'s Border<T, MEDIA>,
     pub fresnel: Fresnel,
 }
@@ -25,37 +24,34 @@ type Child<T, const MEDIA: usize> = Option<Branch<T, MEDIA>>;
 impl<T: Real, const MEDIA: usize> Meeting<'_, T, MEDIA> {
     /// Where light goes that has only this channel, or all of them.
     pub(super) fn split<const EFFECTS: u64>(&self, channel: Option<Channel>) -> Split<T> {
-        let facing = Facing::new(self.surface, self.front, self.branch.ray.direction, self.branch.depth);
+        let facing = Facing { surface: self.surface, incident: self.branch.ray.direction, depth: self.branch.depth };
         let n1 = self.border.before.at(channel);
         let n2 = self.border.behind.map_or(n1, |behind| behind.at(channel));
         facing.split::<EFFECTS>(&self.material.interface, self.fresnel, n1, n2)
     }
 
-    /// The reflected branch.
-    pub(super) fn reflected<const EFFECTS: u64>(&self, branch: Option<(Vec3<T>, Rgb<T>)>) -> Child<T, MEDIA> {
-        let child = self.child::<EFFECTS>(branch?, self.front);
-        Some(Branch { kind: RayKind::Reflected, ..child })
-    }
-
-    /// The transmitted branch.
-    pub(super) fn transmitted<const EFFECTS: u64>(&self, branch: Option<(Vec3<T>, Rgb<T>)>) -> Child<T, MEDIA> {
-        let child = self.child::<EFFECTS>(branch?, !self.front);
-        Some(Branch { kind: RayKind::Transmitted, media: self.border.media, ..child })
-    }
-
-    fn child<const EFFECTS: u64>(&self, (direction, weight): (Vec3<T>, Rgb<T>), outside: bool) -> Branch<T, MEDIA> {
+    /// The reflected or the transmitted branch.
+    pub(super) fn child<const EFFECTS: u64>(
+        &self,
+        kind: RayKind,
+        direction: Vec3<T>,
+        weight: Rgb<T>,
+    ) -> Branch<T, MEDIA> {
         let weight = match &self.material.balance {
             Some(balance) if Effects::from_bits(EFFECTS).has(Effects::BALANCE) => {
                 weight * (balance.brightness * balance.ratio)
             }
             _ => weight,
         };
+        let reflected = kind == RayKind::Reflected;
         Branch {
-            ray: self.surface.leave(direction, outside),
+            ray: self.surface.leave(direction, reflected),
             throughput: self.branch.throughput * weight,
+            media: if reflected { self.branch.media } else { self.border.media },
             depth: self.branch.depth.saturating_add(1),
             passed: 0,
-            ..*self.branch
+            kind,
+            channel: self.branch.channel,
         }
     }
 
@@ -70,10 +66,12 @@ impl<T: Real, const MEDIA: usize> Meeting<'_, T, MEDIA> {
         });
         let [red, green, blue] = splits.each_ref().map(|(channel, split)| {
             let (direction, weight) = split.transmitted?;
-            let child = self.transmitted::<EFFECTS>(Some((direction, channel.of(weight))))?;
+            let child = self.child::<EFFECTS>(RayKind::Transmitted, direction, channel.of(weight));
             Some(Branch { channel: Some(*channel), ..child })
         });
         let is_total = splits.iter().all(|(_, split)| split.is_total);
-        ([self.reflected::<EFFECTS>(reflected), red, green, blue], is_total)
+        let reflected =
+            reflected.map(|(direction, weight)| self.child::<EFFECTS>(RayKind::Reflected, direction, weight));
+        ([reflected, red, green, blue], is_total)
     }
 }

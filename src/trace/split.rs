@@ -18,25 +18,18 @@ pub(super) struct Split<T> {
     pub is_total: bool,
 }
 
-/// A surface seen from the side of the incident ray.
+/// A surface and a ray that comes from its outside.
 pub(super) struct Facing<'s, T> {
-    surface: &'s Surface<T>,
-    geometric: Vec3<T>,
-    normal: Vec3<T>,
-    incident: Vec3<T>,
+    pub surface: &'s Surface<T>,
+    pub incident: Vec3<T>,
     /// The number of bounces before.
-    depth: u8,
+    pub depth: u8,
 }
 
 /// Weight of the reflected branch; weight of the transmitted branch and the cosine of its angle.
 type Weights<T> = (Rgb<T>, Option<(Rgb<T>, T)>);
 
-impl<'s, T: Real> Facing<'s, T> {
-    pub(super) fn new(surface: &'s Surface<T>, front: bool, incident: Vec3<T>, depth: u8) -> Self {
-        let (geometric, normal) = surface.normals(front);
-        Self { surface, geometric, normal, incident, depth }
-    }
-
+impl<T: Real> Facing<'_, T> {
     /// How far the cosine of the angle of incidence may be off. Each bounce leaves the direction good to 8 roundings: 3 of
     /// the new direction, as many of its length, and 2 of the normal, which turns within the rounding of the point as well.
     #[cold]
@@ -101,20 +94,21 @@ impl<'s, T: Real> Facing<'s, T> {
 
     /// The reflected direction, at the geometric normal where the shading normal would send it into the surface.
     fn reflected(&self) -> Vec3<T> {
-        let direction = reflect(self.incident, self.normal, -self.incident.dot(self.normal)).normalized();
-        if direction.dot(self.geometric) > T::ZERO {
+        let direction =
+            reflect(self.incident, self.surface.shading, -self.incident.dot(self.surface.shading)).normalized();
+        if direction.dot(self.surface.normal) > T::ZERO {
             return direction;
         }
-        reflect(self.incident, self.geometric, self.cosine(self.geometric)).normalized()
+        reflect(self.incident, self.surface.normal, self.cosine(self.surface.normal)).normalized()
     }
 
     fn mirror(&self, weight: impl FnOnce(T) -> Rgb<T>) -> Split<T> {
-        let weight = weight(self.cosine(self.normal));
+        let weight = weight(self.cosine(self.surface.shading));
         Split { reflected: Some((self.reflected(), weight)), transmitted: None, body: T::ONE, is_total: false }
     }
 
     fn coat<const EFFECTS: u64>(&self, fresnel: Fresnel, n1: T, coat: T) -> Split<T> {
-        let r = match reflectance::<T, EFFECTS>(fresnel, n1, coat, self.cosine(self.normal)) {
+        let r = match reflectance::<T, EFFECTS>(fresnel, n1, coat, self.cosine(self.surface.shading)) {
             Some((r, _)) => r,
             None => T::ONE,
         };
@@ -137,13 +131,13 @@ impl<'s, T: Real> Facing<'s, T> {
             let is_total = transmitted.is_none();
             Split { reflected: Some((self.reflected(), reflected)), transmitted, body: T::ONE, is_total }
         };
-        if self.normal.dot(self.incident) >= T::ZERO {
-            return at(self.geometric);
+        if self.surface.shading.dot(self.incident) >= T::ZERO {
+            return at(self.surface.normal);
         }
-        let split = at(self.normal);
+        let split = at(self.surface.shading);
         match split.transmitted {
             // A shading normal can send the refracted ray to the wrong side; the geometric normal cannot.
-            Some((direction, _)) if direction.dot(self.geometric) >= T::ZERO => at(self.geometric),
+            Some((direction, _)) if direction.dot(self.surface.normal) >= T::ZERO => at(self.surface.normal),
             _ => split,
         }
     }
