@@ -32,19 +32,24 @@ pub(super) struct Branch<T, const MEDIA: usize> {
 }
 
 /// The state of one sample's ray tree: everything that a frame needs to stop at any ray and go on later.
+///
+/// The order of the fields is given: a compiler that moves a new tree then sees which of its bytes were never written, the
+/// stack at the end most of all, and copies none of them.
 #[derive(Clone, Debug)]
+#[repr(C)]
 pub(crate) struct RayTree<'a, T, const DEPTH: usize, const MEDIA: usize> {
     walk: Walk<'a, T, MEDIA>,
     pending: Vec<Branch<T, MEDIA>, DEPTH>,
 }
 
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 struct Walk<'a, T, const MEDIA: usize> {
     gathered: Rgb<T>,
-    current: Option<Branch<T, MEDIA>>,
-    shading: Option<Shading<'a, T, MEDIA>>,
     /// What is left of the budget's rays.
     rays_left: u32,
+    current: Option<Branch<T, MEDIA>>,
+    shading: Option<Shading<'a, T, MEDIA>>,
 }
 
 /// What a walk reads and never changes.
