@@ -2,6 +2,7 @@
 
 use super::Ray;
 use crate::math::{Real, Vec3};
+use crate::scene::Effects;
 
 /// What is known of the point where a ray meets a surface.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +45,12 @@ impl<T: Real> Surface<T> {
             return self;
         }
         Self { normal: -self.normal, shading: -self.shading, offset: -self.offset, ..self }
+    }
+
+    /// The normal to shade with, of which the compiler knows that it is the geometric one where no triangle is smooth.
+    #[inline]
+    pub(crate) fn shading<const EFFECTS: u64>(&self) -> Vec3<T> {
+        if Effects::from_bits(EFFECTS).has(Effects::SMOOTH_TRIANGLE) { self.shading } else { self.normal }
     }
 
     /// How far along a ray in `direction`, from a contact at the distance `t`, the origin of the next ray may lie behind the

@@ -63,7 +63,7 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
             material,
             origin: surface.point + surface.offset,
             geometric: surface.normal,
-            normal: surface.shading,
+            normal: surface.shading::<EFFECTS>(),
             incident: branch.ray.direction,
             color,
             throughput,
@@ -129,7 +129,8 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
     fn response<const EFFECTS: u64>(&self, towards: Vec3<T>) -> Rgb<T> {
         let effects = const { Effects::from_bits(EFFECTS) };
         let cosine = self.normal.dot(towards);
-        if cosine <= T::ZERO || self.geometric.dot(towards) <= T::ZERO {
+        let behind = effects.has(Effects::SMOOTH_TRIANGLE) && self.geometric.dot(towards) <= T::ZERO;
+        if cosine <= T::ZERO || behind {
             return Rgb::BLACK;
         }
         let mut response = Rgb::BLACK;
