@@ -18,9 +18,6 @@ pub(super) struct Meeting<'s, T, const MEDIA: usize> {
     pub fresnel: Fresnel,
 }
 
-/// A branch that comes of another, where there is one.
-type Child<T, const MEDIA: usize> = Option<Branch<T, MEDIA>>;
-
 impl<T: Real, const MEDIA: usize> Meeting<'_, T, MEDIA> {
     /// Where light goes that has only this channel, or all of them.
     pub(super) fn split<const EFFECTS: u64>(&self, channel: Option<Channel>) -> Split<T> {
@@ -55,23 +52,17 @@ impl<T: Real, const MEDIA: usize> Meeting<'_, T, MEDIA> {
         }
     }
 
-    /// The children of a branch of all channels at a dispersive border: one transmitted branch for each channel, after
-    /// one reflected branch for all of them; and whether all of the light is reflected.
-    pub(super) fn disperse<const EFFECTS: u64>(&self) -> ([Child<T, MEDIA>; 4], bool) {
-        let splits = Channel::ALL.map(|channel| (channel, self.split::<EFFECTS>(Some(channel))));
-        let reflected = splits.iter().fold(None, |sum: Option<(Vec3<T>, Rgb<T>)>, (channel, split)| {
-            let (direction, weight) = split.reflected?;
-            let before = sum.map_or(Rgb::BLACK, |(_, weight)| weight);
-            Some((direction, before + channel.of(weight)))
-        });
-        let [red, green, blue] = splits.each_ref().map(|(channel, split)| {
-            let (direction, weight) = split.transmitted?;
-            let child = self.child::<EFFECTS>(RayKind::Transmitted, direction, channel.of(weight));
-            Some(Branch { channel: Some(*channel), ..child })
-        });
-        let is_total = splits.iter().all(|(_, split)| split.is_total);
-        let reflected =
-            reflected.map(|(direction, weight)| self.child::<EFFECTS>(RayKind::Reflected, direction, weight));
-        ([reflected, red, green, blue], is_total)
+    /// Where light of each channel goes.
+    pub(super) fn split_channels<const EFFECTS: u64>(&self) -> [(Channel, Split<T>); 3] {
+        Channel::ALL.map(|channel| (channel, self.split::<EFFECTS>(Some(channel))))
     }
+}
+
+/// The direction and weight of the reflected branches of all channels, which go the same way.
+pub(super) fn reflected<T: Real>(splits: &[(Channel, Split<T>); 3]) -> Option<(Vec3<T>, Rgb<T>)> {
+    splits.iter().fold(None, |sum: Option<(Vec3<T>, Rgb<T>)>, (channel, split)| {
+        let (direction, weight) = split.reflected?;
+        let before = sum.map_or(Rgb::BLACK, |(_, weight)| weight);
+        Some((direction, before + channel.of(weight)))
+    })
 }

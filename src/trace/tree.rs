@@ -8,7 +8,7 @@ use heapless::{Vec, VecView};
 
 use super::background::background;
 use super::media::{Crossing, Media};
-use super::meeting::Meeting;
+use super::meeting::{Meeting, reflected};
 use super::shade::{Samples, Shading};
 use super::{Budget, Cut, MOST_BOUNCES, MOST_PASSED, Observer, RayKind, Termination};
 use crate::intersect::Ray;
@@ -210,8 +210,9 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         split.body
     }
 
-    /// Spawns the children at a dispersive border. The reflected branch, which can be dispersed again, is followed after
-    /// the others: so there are never more than two branches for other channels aside.
+    /// Spawns the children of a branch of all channels at a dispersive border: one transmitted branch for each channel, and
+    /// one reflected branch for all of them. This one, which can be dispersed again, is followed after the others: so there
+    /// are never more than two branches for other channels aside.
     fn disperse<const EFFECTS: u64, O: Observer>(
         &mut self,
         meeting: &Meeting<'_, T, MEDIA>,
@@ -219,14 +220,20 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         context: &Context<'_, 'a, T>,
         observer: &mut O,
     ) {
-        let (children, is_total) = meeting.disperse::<EFFECTS>();
-        if is_total {
+        let splits = meeting.split_channels::<EFFECTS>();
+        if splits.iter().all(|(_, split)| split.is_total) {
             observer.total_internal_reflection();
         }
-        for child in children.into_iter().flatten() {
+        if let Some((direction, weight)) = reflected(&splits) {
+            let child = meeting.child::<EFFECTS>(RayKind::Reflected, direction, weight);
+            self.spawn::<EFFECTS, O>(child, pending, context, observer);
+        }
+        for (channel, split) in &splits {
+            let Some((direction, weight)) = split.transmitted else { continue };
+            let child = meeting.child::<EFFECTS>(RayKind::Transmitted, direction, channel.of(weight));
             // What was current so far waits below the new one.
             let before = self.current.take();
-            self.spawn::<EFFECTS, O>(child, pending, context, observer);
+            self.spawn::<EFFECTS, O>(Branch { channel: Some(*channel), ..child }, pending, context, observer);
             if let Some(before) = before {
                 match self.current {
                     Some(_) => self.put_aside::<EFFECTS, O>(before, pending, context, observer),
