@@ -63,7 +63,7 @@ impl<T: Real> Facing<'_, T> {
                 index.zip(extinction, |index, extinction| fresnel_conductor(index / n1, extinction / n1, cosine).mean())
             }
             Interface::Coat { index } if effects.has(Effects::COAT) => {
-                let r = reflectance::<T, EFFECTS>(fresnel, n1, index, cosine).map_or(T::ONE, |(r, _)| r);
+                let r = coat::<T, EFFECTS>(fresnel, n1, index, cosine);
                 body = T::ONE - r;
                 Rgb::grey(r)
             }
@@ -80,11 +80,12 @@ impl<T: Real> Facing<'_, T> {
     /// The reflected direction, at the geometric normal where the shading normal would send it into the surface.
     fn reflected<const EFFECTS: u64>(&self) -> Vec3<T> {
         let (normal, shading) = (self.surface.normal, self.surface.shading::<EFFECTS>());
-        let direction = self.reflected_at(shading, -self.incident.dot(shading));
-        if direction.dot(normal) > T::ZERO { direction } else { self.reflected_at(normal, self.cosine(normal)) }
+        let direction = self.mirror(shading, -self.incident.dot(shading));
+        if direction.dot(normal) > T::ZERO { direction } else { self.mirror(normal, self.cosine(normal)) }
     }
 
-    fn reflected_at(&self, normal: Vec3<T>, cosine: T) -> Vec3<T> {
+    /// The direction mirrored at a normal.
+    fn mirror(&self, normal: Vec3<T>, cosine: T) -> Vec3<T> {
         reflect(self.incident, normal, cosine).normalized()
     }
 
@@ -162,6 +163,11 @@ impl<T: Real> Facing<'_, T> {
         };
         (r, Some((r.map(|r| T::ONE - r), transmitted_cosine)))
     }
+}
+
+/// The reflectance of a clear coat.
+fn coat<T: Real, const EFFECTS: u64>(fresnel: Fresnel, outer: T, coat: T, cosine: T) -> T {
+    reflectance::<T, EFFECTS>(fresnel, outer, coat, cosine).map_or(T::ONE, |(r, _)| r)
 }
 
 /// The reflectance between two dielectrics and the cosine behind; `None` on total internal reflection.
