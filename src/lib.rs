@@ -66,7 +66,7 @@
 //! |---|---|---|---|---|---|---|---|---|---|
 //! | `f32` | 384 | 424 | 464 | 504 | 544 | 584 | 704 | 1024 | 2944 |
 //! | `f32`, 8 media | 416 | 472 | 528 | 584 | 640 | 696 | 864 | 1312 | 4000 |
-//! | `f64` | 672 | 752 | 832 | 912 | 992 | 1072 | 1312 | 1952 | 5792 |
+//! | `f64` | 656 | 736 | 816 | 896 | 976 | 1056 | 1296 | 1936 | 5776 |
 //!
 //! A scene with dispersion needs two entries more than bounces ([`Scene::stack`]). A test asserts these numbers. The
 //! picture's memory is the caller's.

@@ -2,6 +2,7 @@
 
 use super::Ray;
 use crate::math::{Real, Vec3};
+use crate::scene::Effects;
 
 /// What is known of the point where a ray meets a surface.
 #[derive(Clone, Copy, Debug)]
@@ -36,10 +37,20 @@ impl<T: Real> Surface<T> {
         if rounding < self.curvature_radius { rounding / self.curvature_radius } else { T::ONE }
     }
 
-    /// The geometric and the shading normal on the side that a ray comes from: outside if it meets the front.
-    #[inline(always)]
-    pub(crate) fn normals(&self, front: bool) -> (Vec3<T>, Vec3<T>) {
-        if front { (self.normal, self.shading) } else { (-self.normal, -self.shading) }
+    /// The same place of a surface that is turned over unless a ray meets its front: what is outside is where the ray comes
+    /// from.
+    #[inline]
+    pub(crate) fn facing(self, front: bool) -> Self {
+        if front {
+            return self;
+        }
+        Self { normal: -self.normal, shading: -self.shading, offset: -self.offset, ..self }
+    }
+
+    /// The normal to shade with, of which the compiler knows that it is the geometric one where no triangle is smooth.
+    #[inline]
+    pub(crate) fn shading<const EFFECTS: u64>(&self) -> Vec3<T> {
+        if Effects::from_bits(EFFECTS).has(Effects::SMOOTH_TRIANGLE) { self.shading } else { self.normal }
     }
 
     /// How far along a ray in `direction`, from a contact at the distance `t`, the origin of the next ray may lie behind the

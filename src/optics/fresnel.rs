@@ -31,7 +31,6 @@ impl<T: Real> Polarized<T> {
 /// equal numbers are subtracted but in the radicand near the critical angle, which takes twice the digits there. In `f32`
 /// the reflectance is within 1e-6, and within 2e-3 for cosines up to 1e-3 from the critical one, where the last bit of
 /// the cosine counts as much.
-#[inline]
 #[must_use]
 pub fn fresnel_dielectric<T: Real>(n1: T, n2: T, cosine: T) -> Option<(Polarized<T>, T)> {
     let (n, m) = ratio(n1, n2);
@@ -56,7 +55,6 @@ pub fn fresnel_dielectric<T: Real>(n1: T, n2: T, cosine: T) -> Option<(Polarized
 /// The closed form for complex indices (Born and Wolf, "Principles of Optics", 14.2; Hecht, 4.8.1): with
 /// a + ib = √((η + ik)² − sin²θ), R_s = ((a − c)² + b²)/((a + c)² + b²) and
 /// R_p = R_s·((a − t)² + b²)/((a + t)² + b²), t = sin θ·tan θ.
-#[inline]
 #[must_use]
 pub fn fresnel_conductor<T: Real>(index: T, extinction: T, cosine: T) -> Polarized<T> {
     let sine_squared = (T::ONE - cosine) * (T::ONE + cosine);

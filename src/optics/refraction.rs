@@ -6,7 +6,6 @@ use crate::math::{Real, Twofold, Vec3};
 ///
 /// `n1` and `n2` are the indices of refraction on the side of the incident ray and behind; `cosine` is cos θ₁, from 0
 /// to 1.
-#[inline]
 #[must_use]
 pub fn transmitted_cosine<T: Real>(n1: T, n2: T, cosine: T) -> Option<T> {
     let (n, m) = ratio(n1, n2);
@@ -24,7 +23,6 @@ pub(super) fn ratio<T: Real>(n1: T, n2: T) -> (T, T) {
 ///
 /// The radicand is n² − sin²θ₁ or m + c², whichever keeps more digits. Near the critical angle both cancel; there it is
 /// worked out in twice the digits, so that rounding neither makes a total reflection nor hides one.
-#[inline]
 pub(super) fn normal_part<T: Real>(n1: T, n2: T, (n, m): (T, T), cosine: T) -> Option<T> {
     let (whole, rest) =
         if n * n < T::HALF { (n * n, (cosine - T::ONE) * (cosine + T::ONE)) } else { (cosine * cosine, m) };

@@ -24,7 +24,6 @@ pub fn schlick<T: Real>(r0: T, cosine: T) -> T {
 ///
 /// The angle taken is the one on the less dense side: leaving glass, the *transmitted* one, at which alone the
 /// approximation reaches 1 at the critical angle.
-#[inline]
 #[must_use]
 pub fn schlick_dielectric<T: Real>(n1: T, n2: T, cosine: T) -> Option<(T, T)> {
     if n1 == n2 {

@@ -51,13 +51,13 @@ pub enum Progress {
 
 /// What the frame does next.
 #[derive(Clone, Copy, Debug)]
-enum Phase<T> {
+enum Phase {
     /// Start the tree of the next sample and follow it.
     Sample,
     /// Go on with the tree of the current sample.
     Trace,
     /// Hand over a finished pixel.
-    Put(Rgb<T>),
+    Put(Rgb<f32>),
     /// Report the end of a row.
     EndRow(u32),
     /// Nothing.
@@ -85,7 +85,7 @@ pub struct Frame<'a, T, const EFFECTS: u64, const DEPTH: usize, O = (), const ME
     settings: Settings<T>,
     view: View<T>,
     cursor: Cursor,
-    phase: Phase<T>,
+    phase: Phase,
     pixel: Accumulator<T>,
     sequence: Sequence,
     tree: RayTree<'a, T, DEPTH, MEDIA>,
@@ -168,8 +168,6 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
                 }
                 Phase::Put(color) => {
                     let Cursor { x, y, cell, .. } = self.cursor;
-                    // What fits into `T` may still be too much for `f32`.
-                    let color = color.map(T::to_f32).min(Rgb::grey(f32::MAX));
                     let pixel = Pixel { x, y, cell, color };
                     target.put(pixel).map_err(RenderError::Framebuffer)?;
                     let next = self.cursor.advance(self.settings.size.width, &self.settings.rows);
@@ -202,17 +200,22 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
 
     /// Follows the tree of the current sample; `false` when the rays are used up first.
     fn trace(&mut self, rays: &mut u32) -> bool {
-        let samples = self.samples();
-        let start = if matches!(self.phase, Phase::Sample) { Some(self.eye_ray()) } else { None };
-        let context = Context { scene: self.tracer.scene(), budget: &self.settings.budget, samples };
-        let Some(light) = self.tree.advance::<EFFECTS, O>(start, &context, rays, &mut self.observer) else {
+        let scene = self.tracer.scene();
+        if matches!(self.phase, Phase::Sample) {
+            let (ray, rays) = self.eye_ray();
+            self.tree.start::<EFFECTS, O>(ray, rays, scene, &mut self.observer);
+        }
+        let context = Context { scene, budget: &self.settings.budget, samples: self.samples() };
+        let Some(light) = self.tree.advance::<EFFECTS, O>(&context, rays, &mut self.observer) else {
             self.phase = Phase::Trace;
             return false;
         };
         self.phase = Phase::Sample;
         if self.pixel.add(light, &self.settings.sampling) {
             self.observer.pixel(self.cursor.x, self.cursor.y, self.pixel.count);
-            self.phase = Phase::Put(self.tone(self.pixel.mean()));
+            // What fits into `T` may still be too much for `f32`.
+            let color = self.tone(self.pixel.mean()).map(T::to_f32).min(Rgb::grey(f32::MAX));
+            self.phase = Phase::Put(color);
             self.pixel = Accumulator::EMPTY;
         }
         true
@@ -221,7 +224,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
     fn tone(&self, light: Rgb<T>) -> Rgb<T> {
         match self.tracer.scene().tone {
             Tone::Display { gain, lift } if Effects::from_bits(EFFECTS).has(Effects::DISPLAY_TONE) => {
-                light * gain + Rgb::grey(lift)
+                light.min(Rgb::grey(T::MAX)) * gain + Rgb::grey(lift)
             }
             _ => light,
         }

@@ -42,6 +42,7 @@ pub(crate) enum Next {
 
 impl Cursor {
     /// The first pixel of some rows, which must not be empty.
+    #[inline]
     pub(crate) fn new(width: u32, rows: &Range<u32>, order: Order) -> Self {
         let cell = order.coarsest();
         let mut cursor = Self { x: 0, y: first_row(rows, cell), cell, order };
@@ -88,6 +89,7 @@ impl Cursor {
 }
 
 /// The first of the rows that is a multiple of `cell`, a power of two.
+#[inline]
 const fn first_row(rows: &Range<u32>, cell: u32) -> u32 {
     rows.start.wrapping_add(cell - 1) & !(cell - 1)
 }

@@ -1,8 +1,7 @@
 //! How many samples a pixel takes, and where.
 
 use crate::math::{Real, Rgb};
-use crate::trace::Samples;
-use crate::trace::Sequence;
+use crate::trace::{Samples, Sequence};
 
 /// The samples of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,38 +52,50 @@ impl<T: Real> Sampling<T> {
 /// The samples of the pixel at hand, summed up.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Accumulator<T> {
-    pub sum: Rgb<T>,
+    /// Red, green and blue.
+    channels: [Channel<T>; 3],
     pub count: u32,
-    darkest: Rgb<T>,
-    brightest: Rgb<T>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Channel<T> {
+    sum: T,
+    darkest: T,
+    brightest: T,
 }
 
 impl<T: Real> Accumulator<T> {
     pub(crate) const EMPTY: Self =
-        Self { sum: Rgb::BLACK, count: 0, darkest: Rgb::grey(T::MAX), brightest: Rgb::BLACK };
+        Self { channels: [Channel { sum: T::ZERO, darkest: T::MAX, brightest: T::ZERO }; 3], count: 0 };
 
     /// Adds a sample and tells whether the pixel is done.
     #[inline]
     pub(crate) fn add(&mut self, color: Rgb<T>, sampling: &Sampling<T>) -> bool {
-        // Huge lights may overflow; a finite pixel is promised. What is not a number would be black, not white.
-        let color = color.max(Rgb::BLACK).min(Rgb::grey(T::MAX));
-        self.sum += color;
-        self.count += 1;
-        let Sampling::Adaptive { first, contrast, .. } = *sampling else {
-            return self.count >= sampling.most();
+        let (first, contrast) = match *sampling {
+            Sampling::Adaptive { first, contrast, .. } => (first, contrast),
+            // No contrast is small enough to stop early.
+            _ => (0, -T::ONE),
         };
-        if self.count <= first {
-            self.darkest = self.darkest.min(color);
-            self.brightest = self.brightest.max(color);
+        self.count += 1;
+        let mut spread = T::ZERO;
+        for (channel, light) in self.channels.iter_mut().zip([color.r, color.g, color.b]) {
+            // Huge lights may overflow; a finite pixel is promised. What is not a number would be black, not white.
+            let light = light.max(T::ZERO).min(T::MAX);
+            channel.sum += light;
+            if self.count <= first {
+                channel.darkest = channel.darkest.min(light);
+                channel.brightest = channel.brightest.max(light);
+            }
+            spread = spread.max(channel.brightest - channel.darkest);
         }
-        let spread = self.brightest + self.darkest * -T::ONE;
-        let even = self.count >= first && spread.max_channel() <= contrast;
-        even || self.count >= sampling.most()
+        (self.count >= first && spread <= contrast) || self.count >= sampling.most()
     }
 
-    /// The mean of the samples.
+    /// The mean of the samples. The sum of some that are finite may not be.
     #[inline]
     pub(crate) fn mean(&self) -> Rgb<T> {
-        (self.sum * (T::ONE / T::from_u32(self.count.max(1)))).min(Rgb::grey(T::MAX))
+        let share = T::ONE / T::from_u32(self.count.max(1));
+        let [r, g, b] = self.channels.each_ref().map(|channel| channel.sum * share);
+        Rgb { r, g, b }
     }
 }

@@ -58,13 +58,12 @@ pub(crate) fn illuminate<T: Real, const EFFECTS: u64>(
 pub(crate) fn concentric<T: Real>([s, t]: [T; 2]) -> (T, T) {
     let quarter = T::from_f32(core::f32::consts::FRAC_PI_4);
     let (x, y) = (s + s - T::ONE, t + t - T::ONE);
-    if x.abs() > y.abs() {
-        let (sine, cosine) = sin_cos_eighth(quarter * (y / x));
-        (x * cosine, x * sine)
-    } else if y != T::ZERO {
-        let (sine, cosine) = sin_cos_eighth(quarter * (x / y));
-        (y * sine, y * cosine)
-    } else {
-        (T::ZERO, T::ZERO)
+    let flat = x.abs() > y.abs();
+    let (long, short) = if flat { (x, y) } else { (y, x) };
+    if long == T::ZERO {
+        return (T::ZERO, T::ZERO);
     }
+    let (sine, cosine) = sin_cos_eighth(quarter * (short / long));
+    let (along, across) = (long * cosine, long * sine);
+    if flat { (along, across) } else { (across, along) }
 }

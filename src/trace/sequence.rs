@@ -52,11 +52,8 @@ impl Sequence {
     #[must_use]
     pub fn bits(self, index: u32, dimension: u32) -> [u32; 2] {
         let start = mix(self.seed ^ dimension.wrapping_mul(0x9e37_79b9));
-        let [x, y] = match STEPS.get(dimension as usize) {
-            Some(steps) => *steps,
-            None => past_the_table(dimension),
-        };
         let other = start.wrapping_mul(0x2c1b_3c6d);
+        let [x, y] = steps(dimension);
         [start.wrapping_add(index.wrapping_mul(x)), other.wrapping_add(index.wrapping_mul(y))]
     }
 
@@ -69,18 +66,13 @@ impl Sequence {
     }
 }
 
-/// Steps like those of a light near the eye, but for up to a 128th, so that the two part after some points.
-fn past_the_table(dimension: u32) -> [u32; 2] {
-    let steps = match dimension % 6 {
-        0 => STEPS[2],
-        1 => STEPS[3],
-        2 => STEPS[4],
-        3 => STEPS[5],
-        4 => STEPS[6],
-        _ => STEPS[7],
-    };
-    let away = mix(dimension);
-    [steps[0].wrapping_add(away >> 7), steps[1].wrapping_add(away.rotate_left(16) >> 7)]
+/// The steps of a dimension. Past the table they are like those of a light near the eye, but for up to a 128th, so that
+/// the two part after some points.
+#[inline]
+fn steps(dimension: u32) -> [u32; 2] {
+    let (row, away) = if dimension < 8 { (dimension, 0) } else { (2 + dimension % 6, mix(dimension)) };
+    let [x, y] = STEPS.get(row as usize).copied().unwrap_or_default();
+    [x.wrapping_add(away >> 7), y.wrapping_add(away.rotate_left(16) >> 7)]
 }
 
 /// An integer hash (Ellis's lowbias32).

@@ -3,11 +3,11 @@
 use super::illumination::illuminate;
 use super::media::Media;
 use super::shadow::{Share, light_share};
-use super::{Branch, Observer, RayKind, Sequence};
+use super::{Branch, Context, Observer, RayKind, Sequence};
 use crate::intersect::Surface;
 use crate::math::{Real, Rgb, Vec3};
 use crate::optics::reflect;
-use crate::scene::{Body, Effects, Exponent, Highlight, Lobe, Material, Pattern, Scene};
+use crate::scene::{Body, Effects, Exponent, Highlight, Lobe, Material, Pattern};
 
 /// A surface point whose lights are being looked at. It can be left between two shadow rays and taken up again.
 #[derive(Clone, Copy, Debug)]
@@ -32,13 +32,11 @@ pub(crate) struct Shading<'a, T, const MEDIA: usize> {
 }
 
 impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
-    /// `front` tells whether `branch` met the surface from outside, `body` what share of the light gets through to the
-    /// body. `None` when the material has nothing to be lit.
-    #[inline(always)]
+    /// `branch` met the surface from outside; `body` is the share of the light that gets through to the body. `None`
+    /// when the material has nothing to be lit.
     pub(super) fn new<const EFFECTS: u64>(
         material: &'a Material<T>,
         surface: &Surface<T>,
-        front: bool,
         branch: &Branch<T, MEDIA>,
         body: T,
     ) -> Option<Self> {
@@ -61,14 +59,12 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
             }
             _ => branch.throughput,
         };
-        let (geometric, normal) = surface.normals(front);
-        let incident = branch.ray.direction;
         Some(Self {
             material,
-            origin: surface.leave(incident, front).origin,
-            geometric,
-            normal,
-            incident,
+            origin: surface.point + surface.offset,
+            geometric: surface.normal,
+            normal: surface.shading::<EFFECTS>(),
+            incident: branch.ray.direction,
             color,
             throughput,
             media: branch.media,
@@ -91,11 +87,9 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
     ///
     /// `rays_left` is what is left of the budget. It pays for a shadow ray to each light; what it has beyond that pays for
     /// the surfaces that shadow rays go straight through.
-    #[inline(always)]
     pub(crate) fn advance<const EFFECTS: u64, O: Observer>(
         &mut self,
-        scene: &Scene<'_, T>,
-        samples: &Samples,
+        &Context { scene, samples, .. }: &Context<'_, 'a, T>,
         gathered: &mut Rgb<T>,
         rays: &mut u32,
         rays_left: &mut u32,
@@ -135,7 +129,8 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
     fn response<const EFFECTS: u64>(&self, towards: Vec3<T>) -> Rgb<T> {
         let effects = const { Effects::from_bits(EFFECTS) };
         let cosine = self.normal.dot(towards);
-        if cosine <= T::ZERO || self.geometric.dot(towards) <= T::ZERO {
+        let behind = effects.has(Effects::SMOOTH_TRIANGLE) && self.geometric.dot(towards) <= T::ZERO;
+        if cosine <= T::ZERO || behind {
             return Rgb::BLACK;
         }
         let mut response = Rgb::BLACK;
@@ -195,7 +190,6 @@ pub(crate) struct Samples {
 }
 
 impl Samples {
-    #[inline]
     pub(crate) fn point<T: Real>(&self, dimension: u32) -> [T; 2] {
         self.sequence.point(self.index, dimension)
     }

@@ -18,25 +18,18 @@ pub(super) struct Split<T> {
     pub is_total: bool,
 }
 
-/// A surface seen from the side of the incident ray.
+/// A surface and a ray that comes from its outside.
 pub(super) struct Facing<'s, T> {
-    surface: &'s Surface<T>,
-    geometric: Vec3<T>,
-    normal: Vec3<T>,
-    incident: Vec3<T>,
+    pub surface: &'s Surface<T>,
+    pub incident: Vec3<T>,
     /// The number of bounces before.
-    depth: u8,
+    pub depth: u8,
 }
 
 /// Weight of the reflected branch; weight of the transmitted branch and the cosine of its angle.
 type Weights<T> = (Rgb<T>, Option<(Rgb<T>, T)>);
 
-impl<'s, T: Real> Facing<'s, T> {
-    pub(super) fn new(surface: &'s Surface<T>, front: bool, incident: Vec3<T>, depth: u8) -> Self {
-        let (geometric, normal) = surface.normals(front);
-        Self { surface, geometric, normal, incident, depth }
-    }
-
+impl<T: Real> Facing<'_, T> {
     /// How far the cosine of the angle of incidence may be off. Each bounce leaves the direction good to 8 roundings: 3 of
     /// the new direction, as many of its length, and 2 of the normal, which turns within the rounding of the point as well.
     #[cold]
@@ -54,44 +47,29 @@ impl<'s, T: Real> Facing<'s, T> {
         n2: T,
     ) -> Split<T> {
         let effects = const { Effects::from_bits(EFFECTS) };
-        match *interface {
-            Interface::Mirror { reflected } if effects.has(Effects::MIRROR) => self.mirror(|_| reflected),
-            Interface::Metal { r0 } if effects.has(Effects::METAL) => {
-                self.mirror(|cosine| r0.map(|r0| schlick(r0, cosine)))
-            }
+        if effects.has(Effects::CONSTANT.with(Effects::DIELECTRIC)) && interface.medium().is_some() {
+            return self.both::<EFFECTS>(interface, fresnel, n1, n2);
+        }
+        let cosine = self.cosine(self.surface.shading::<EFFECTS>());
+        let mut body = T::ONE;
+        let weight = match *interface {
+            Interface::Mirror { reflected } if effects.has(Effects::MIRROR) => reflected,
+            Interface::Metal { r0 } if effects.has(Effects::METAL) => r0.map(|r0| schlick(r0, cosine)),
             Interface::Conductor { index, extinction, film: Some(film) } if effects.has(Effects::CONDUCTOR_FILM) => {
                 let base = index.zip(extinction, |re, im| Complex { re, im });
-                self.mirror(|cosine| reflectance_of_film::<T, EFFECTS>(&film, self.surface.point, n1, base, cosine))
+                reflectance_of_film::<T, EFFECTS>(&film, self.surface.point, n1, base, cosine)
             }
             Interface::Conductor { index, extinction, .. } if effects.has(Effects::CONDUCTOR) => {
-                let r = |cosine, index, extinction| fresnel_conductor(index / n1, extinction / n1, cosine).mean();
-                self.mirror(|cosine| index.zip(extinction, |index, extinction| r(cosine, index, extinction)))
+                index.zip(extinction, |index, extinction| fresnel_conductor(index / n1, extinction / n1, cosine).mean())
             }
-            Interface::Coat { index } if effects.has(Effects::COAT) => self.coat::<EFFECTS>(fresnel, n1, index),
-            Interface::Constant { reflected, transmitted, .. } if effects.has(Effects::CONSTANT) => {
-                self.both(n1, n2, |cosine| match transmitted_cosine(n1, n2, cosine) {
-                    Some(transmitted_cosine) => (reflected, Some((transmitted, transmitted_cosine))),
-                    None => (reflected + transmitted, None),
-                })
+            Interface::Coat { index } if effects.has(Effects::COAT) => {
+                let r = coat::<T, EFFECTS>(fresnel, n1, index, cosine);
+                body = T::ONE - r;
+                Rgb::grey(r)
             }
-            Interface::Dielectric { film: Some(film), .. } if effects.has(Effects::DIELECTRIC_FILM) => {
-                self.both(n1, n2, |cosine| match transmitted_cosine(n1, n2, cosine) {
-                    Some(transmitted_cosine) => {
-                        let base = Rgb::grey(Complex { re: n2, im: T::ZERO });
-                        let r = reflectance_of_film::<T, EFFECTS>(&film, self.surface.point, n1, base, cosine);
-                        (r, Some((r.map(|r| T::ONE - r), transmitted_cosine)))
-                    }
-                    None => (Rgb::WHITE, None),
-                })
-            }
-            Interface::Dielectric { .. } if effects.has(Effects::FRESNEL.with(Effects::SCHLICK)) => {
-                self.both(n1, n2, |cosine| match reflectance::<T, EFFECTS>(fresnel, n1, n2, cosine) {
-                    Some((r, transmitted_cosine)) => (Rgb::grey(r), Some((Rgb::grey(T::ONE - r), transmitted_cosine))),
-                    None => (Rgb::WHITE, None),
-                })
-            }
-            _ => Split { reflected: None, transmitted: None, body: T::ONE, is_total: false },
-        }
+            _ => return Split { reflected: None, transmitted: None, body, is_total: false },
+        };
+        Split { reflected: Some((self.reflected::<EFFECTS>(), weight)), transmitted: None, body, is_total: false }
     }
 
     /// The cosine of the angle of incidence; 0 for a shading normal that faces away from the ray.
@@ -100,53 +78,96 @@ impl<'s, T: Real> Facing<'s, T> {
     }
 
     /// The reflected direction, at the geometric normal where the shading normal would send it into the surface.
-    fn reflected(&self) -> Vec3<T> {
-        let direction = reflect(self.incident, self.normal, -self.incident.dot(self.normal)).normalized();
-        if direction.dot(self.geometric) > T::ZERO {
-            return direction;
+    fn reflected<const EFFECTS: u64>(&self) -> Vec3<T> {
+        let (normal, shading) = (self.surface.normal, self.surface.shading::<EFFECTS>());
+        let direction = self.mirror(shading, -self.incident.dot(shading));
+        if direction.dot(normal) > T::ZERO { direction } else { self.mirror(normal, self.cosine(normal)) }
+    }
+
+    /// The direction mirrored at a normal.
+    fn mirror(&self, normal: Vec3<T>, cosine: T) -> Vec3<T> {
+        reflect(self.incident, normal, cosine).normalized()
+    }
+
+    /// What an interface does that reflects and transmits.
+    fn both<const EFFECTS: u64>(&self, interface: &Interface<T>, fresnel: Fresnel, n1: T, n2: T) -> Split<T> {
+        let at = |normal| self.both_at::<EFFECTS>(normal, interface, fresnel, n1, n2);
+        let (normal, shading) = (self.surface.normal, self.surface.shading::<EFFECTS>());
+        if !Effects::from_bits(EFFECTS).has(Effects::SMOOTH_TRIANGLE) {
+            return at(normal);
         }
-        reflect(self.incident, self.geometric, self.cosine(self.geometric)).normalized()
-    }
-
-    fn mirror(&self, weight: impl FnOnce(T) -> Rgb<T>) -> Split<T> {
-        let weight = weight(self.cosine(self.normal));
-        Split { reflected: Some((self.reflected(), weight)), transmitted: None, body: T::ONE, is_total: false }
-    }
-
-    fn coat<const EFFECTS: u64>(&self, fresnel: Fresnel, n1: T, coat: T) -> Split<T> {
-        let r = match reflectance::<T, EFFECTS>(fresnel, n1, coat, self.cosine(self.normal)) {
-            Some((r, _)) => r,
-            None => T::ONE,
-        };
-        Split { body: T::ONE - r, ..self.mirror(|_| Rgb::grey(r)) }
-    }
-
-    /// Two branches by weights(cosine) = (reflected, transmitted with its cosine unless reflection is total).
-    fn both(&self, n1: T, n2: T, weights: impl Fn(T) -> Weights<T>) -> Split<T> {
-        let at = |normal: Vec3<T>| {
-            let cosine = self.cosine(normal);
-            let (reflected, transmitted) = match weights(cosine) {
-                // Total reflection that rounding may have made is none: what has entered glass through its surface gets
-                // out through the surface opposite.
-                (_, None) => weights((cosine + self.uncertainty()).min(T::ONE)),
-                certain => certain,
-            };
-            let transmitted = transmitted.map(|(weight, transmitted_cosine)| {
-                (refract(self.incident, normal, n1 / n2, cosine, transmitted_cosine).normalized(), weight)
-            });
-            let is_total = transmitted.is_none();
-            Split { reflected: Some((self.reflected(), reflected)), transmitted, body: T::ONE, is_total }
-        };
-        if self.normal.dot(self.incident) >= T::ZERO {
-            return at(self.geometric);
-        }
-        let split = at(self.normal);
-        match split.transmitted {
+        if shading.dot(self.incident) < T::ZERO {
+            let split = at(shading);
             // A shading normal can send the refracted ray to the wrong side; the geometric normal cannot.
-            Some((direction, _)) if direction.dot(self.geometric) >= T::ZERO => at(self.geometric),
-            _ => split,
+            if !split.transmitted.is_some_and(|(direction, _)| direction.dot(normal) >= T::ZERO) {
+                return split;
+            }
         }
+        at(normal)
     }
+
+    fn both_at<const EFFECTS: u64>(
+        &self,
+        normal: Vec3<T>,
+        interface: &Interface<T>,
+        fresnel: Fresnel,
+        n1: T,
+        n2: T,
+    ) -> Split<T> {
+        let cosine = self.cosine(normal);
+        let weights = |cosine| self.weights::<EFFECTS>(interface, fresnel, n1, n2, cosine);
+        let (reflected, transmitted) = match weights(cosine) {
+            // Total reflection that rounding may have made is none: what has entered glass through its surface gets out
+            // through the surface opposite.
+            (_, None) => weights((cosine + self.uncertainty()).min(T::ONE)),
+            certain => certain,
+        };
+        let transmitted = transmitted.map(|(weight, transmitted_cosine)| {
+            (refract(self.incident, normal, n1 / n2, cosine, transmitted_cosine).normalized(), weight)
+        });
+        let is_total = transmitted.is_none();
+        Split { reflected: Some((self.reflected::<EFFECTS>(), reflected)), transmitted, body: T::ONE, is_total }
+    }
+
+    /// The weights of both branches at a cosine of the angle of incidence; of the reflected one alone where reflection is
+    /// total.
+    fn weights<const EFFECTS: u64>(
+        &self,
+        interface: &Interface<T>,
+        fresnel: Fresnel,
+        n1: T,
+        n2: T,
+        cosine: T,
+    ) -> Weights<T> {
+        let effects = const { Effects::from_bits(EFFECTS) };
+        let (r, transmitted_cosine) = match interface {
+            Interface::Constant { reflected, transmitted, .. } if effects.has(Effects::CONSTANT) => {
+                return match transmitted_cosine(n1, n2, cosine) {
+                    Some(transmitted_cosine) => (*reflected, Some((*transmitted, transmitted_cosine))),
+                    None => (*reflected + *transmitted, None),
+                };
+            }
+            Interface::Dielectric { film: Some(film), .. } if effects.has(Effects::DIELECTRIC_FILM) => {
+                let Some(transmitted_cosine) = transmitted_cosine(n1, n2, cosine) else { return (Rgb::WHITE, None) };
+                let base = Rgb::grey(Complex { re: n2, im: T::ZERO });
+                let r = reflectance_of_film::<T, EFFECTS>(film, self.surface.point, n1, base, cosine);
+                (r, transmitted_cosine)
+            }
+            _ if effects.has(Effects::FRESNEL.with(Effects::SCHLICK)) => {
+                let Some((r, transmitted_cosine)) = reflectance::<T, EFFECTS>(fresnel, n1, n2, cosine) else {
+                    return (Rgb::WHITE, None);
+                };
+                (Rgb::grey(r), transmitted_cosine)
+            }
+            _ => return (Rgb::WHITE, None),
+        };
+        (r, Some((r.map(|r| T::ONE - r), transmitted_cosine)))
+    }
+}
+
+/// The reflectance of a clear coat.
+fn coat<T: Real, const EFFECTS: u64>(fresnel: Fresnel, outer: T, coat: T, cosine: T) -> T {
+    reflectance::<T, EFFECTS>(fresnel, outer, coat, cosine).map_or(T::ONE, |(r, _)| r)
 }
 
 /// The reflectance between two dielectrics and the cosine behind; `None` on total internal reflection.

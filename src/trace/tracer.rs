@@ -142,7 +142,8 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tr
     /// The largest number of bounces that the stack has room for.
     #[must_use]
     pub const fn depth(&self) -> usize {
-        DEPTH.saturating_sub(self.scene.stack(0))
+        let disperses = Effects::from_bits(EFFECTS).has(Effects::DISPERSION);
+        if disperses { DEPTH.saturating_sub(self.scene.stack(0)) } else { DEPTH }
     }
 
     /// The scene.
@@ -178,10 +179,10 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tr
         let samples = Samples { sequence: Sequence::new(0, 0), index: 0 };
         let context = Context { scene: self.scene, budget, samples };
         let mut tree = RayTree::<T, DEPTH, MEDIA>::new();
-        let mut start = Some((ray, budget.rays_per_pixel));
+        tree.start::<EFFECTS, _>(ray, budget.rays_per_pixel, self.scene, observer);
         loop {
             let mut rays = u32::MAX;
-            if let Some(light) = tree.advance::<EFFECTS, _>(start.take(), &context, &mut rays, observer) {
+            if let Some(light) = tree.advance::<EFFECTS, _>(&context, &mut rays, observer) {
                 return light;
             }
         }

@@ -8,7 +8,7 @@ use heapless::{Vec, VecView};
 
 use super::background::background;
 use super::media::{Crossing, Media};
-use super::meeting::Meeting;
+use super::meeting::{Meeting, reflected};
 use super::shade::{Samples, Shading};
 use super::{Budget, Cut, MOST_BOUNCES, MOST_PASSED, Observer, RayKind, Termination};
 use crate::intersect::Ray;
@@ -32,19 +32,24 @@ pub(super) struct Branch<T, const MEDIA: usize> {
 }
 
 /// The state of one sample's ray tree: everything that a frame needs to stop at any ray and go on later.
+///
+/// The order of the fields is given: a compiler that moves a new tree then sees which of its bytes were never written, the
+/// stack at the end most of all, and copies none of them.
 #[derive(Clone, Debug)]
+#[repr(C)]
 pub(crate) struct RayTree<'a, T, const DEPTH: usize, const MEDIA: usize> {
     walk: Walk<'a, T, MEDIA>,
     pending: Vec<Branch<T, MEDIA>, DEPTH>,
 }
 
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 struct Walk<'a, T, const MEDIA: usize> {
     gathered: Rgb<T>,
-    current: Option<Branch<T, MEDIA>>,
-    shading: Option<Shading<'a, T, MEDIA>>,
     /// What is left of the budget's rays.
     rays_left: u32,
+    current: Option<Branch<T, MEDIA>>,
+    shading: Option<Shading<'a, T, MEDIA>>,
 }
 
 /// What a walk reads and never changes.
@@ -61,47 +66,41 @@ impl<'a, T: Real, const DEPTH: usize, const MEDIA: usize> RayTree<'a, T, DEPTH, 
         Self { walk, pending: Vec::new() }
     }
 
-    /// Follows the tree until it is done, which gives its light, or until `rays` is used up. What happens does not
-    /// depend on where it stops.
-    ///
-    /// `start` starts it over with an eye ray that may cost so many rays. A tree that is done in one go is never
-    /// written to memory.
-    #[inline]
-    pub(crate) fn advance<const EFFECTS: u64, O: Observer>(
+    /// Starts the tree over with an eye ray that may cost so many rays.
+    pub(crate) fn start<const EFFECTS: u64, O: Observer>(
         &mut self,
-        start: Option<(Ray<T>, u32)>,
-        context: &Context<'_, 'a, T>,
-        rays: &mut u32,
+        ray: Ray<T>,
+        rays: u32,
+        scene: &Scene<'_, T>,
         observer: &mut O,
-    ) -> Option<Rgb<T>> {
-        let mut walk = match start {
-            Some((ray, rays)) => {
-                self.pending.clear();
-                Walk::start::<EFFECTS, O>(ray, rays, context.scene, observer)
-            }
-            None => self.walk,
-        };
-        if walk.advance::<EFFECTS, O>(self.pending.as_mut_view(), context, rays, observer) {
-            return Some(walk.gathered);
-        }
-        self.walk = walk;
-        None
-    }
-}
-
-impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
-    #[inline(always)]
-    fn start<const EFFECTS: u64, O: Observer>(ray: Ray<T>, rays: u32, scene: &Scene<'_, T>, observer: &mut O) -> Self {
+    ) {
         let (media, overflow) = Media::around::<T, EFFECTS>(scene, &ray);
         if overflow {
             observer.media_overflow();
         }
         let eye = Branch { ray, throughput: Rgb::WHITE, media, depth: 0, passed: 0, kind: RayKind::Eye, channel: None };
-        Self { gathered: Rgb::BLACK, current: Some(eye), shading: None, rays_left: rays }
+        self.pending.clear();
+        self.walk.gathered = Rgb::BLACK;
+        self.walk.current = Some(eye);
+        self.walk.shading = None;
+        self.walk.rays_left = rays;
     }
 
+    /// Follows the tree until it is done, which gives its light, or until `rays` is used up. What happens does not
+    /// depend on where it stops.
+    pub(crate) fn advance<const EFFECTS: u64, O: Observer>(
+        &mut self,
+        context: &Context<'_, 'a, T>,
+        rays: &mut u32,
+        observer: &mut O,
+    ) -> Option<Rgb<T>> {
+        let done = self.walk.advance::<EFFECTS, O>(self.pending.as_mut_view(), context, rays, observer);
+        done.then_some(self.walk.gathered)
+    }
+}
+
+impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
     /// Goes on until the tree is done (`true`) or `rays` is used up; it sees the stack as a view, whatever its depth.
-    #[inline(always)]
     fn advance<const EFFECTS: u64, O: Observer>(
         &mut self,
         pending: &mut VecView<Branch<T, MEDIA>>,
@@ -110,15 +109,23 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         observer: &mut O,
     ) -> bool {
         loop {
-            if !self.light::<EFFECTS, O>(context, rays, observer) {
-                return false;
+            // First the lights of the surface that was met last.
+            if let Some(shading) = &mut self.shading {
+                let (gathered, rays_left) = (&mut self.gathered, &mut self.rays_left);
+                if !shading.advance::<EFFECTS, O>(context, gathered, rays, rays_left, observer) {
+                    return false;
+                }
+                self.shading = None;
             }
-            let Some(branch) = self.current.take().or_else(|| pending.pop()) else { return true };
+            if self.current.is_none() {
+                self.current = pending.pop();
+            }
+            let Some(branch) = self.current else { return true };
             if *rays == 0 {
-                self.current = Some(branch);
                 return false;
             }
             *rays -= 1;
+            self.current = None;
             // The branch and a shadow ray to each light must be paid for, so that no point is left half lit.
             if self.rays_left as usize <= context.scene.lights.len() {
                 self.cut::<EFFECTS, O>(context, &branch, Cut::Rays, observer);
@@ -126,39 +133,20 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             }
             self.rays_left -= 1;
             observer.ray(branch.kind);
-            self.follow::<EFFECTS, O>(&branch, pending, context, observer);
+            self.follow::<EFFECTS, O>(branch, pending, context, observer);
         }
-    }
-
-    /// Looks at the lights of the surface that was met last; `false` when `rays` is used up first.
-    #[inline(always)]
-    fn light<const EFFECTS: u64, O: Observer>(
-        &mut self,
-        context: &Context<'_, 'a, T>,
-        rays: &mut u32,
-        observer: &mut O,
-    ) -> bool {
-        let Some(mut shading) = self.shading.take() else { return true };
-        let (gathered, rays_left) = (&mut self.gathered, &mut self.rays_left);
-        let done = shading.advance::<EFFECTS, O>(context.scene, &context.samples, gathered, rays, rays_left, observer);
-        if !done {
-            self.shading = Some(shading);
-        }
-        done
     }
 
     /// Follows a branch to the next surface: looks at its lights next, and spawns its children.
-    #[inline(always)]
     fn follow<const EFFECTS: u64, O: Observer>(
         &mut self,
-        branch: &Branch<T, MEDIA>,
+        mut branch: Branch<T, MEDIA>,
         pending: &mut VecView<Branch<T, MEDIA>>,
         context: &Context<'_, 'a, T>,
         observer: &mut O,
     ) {
         let scene = context.scene;
         let hit = next_surface::<T, EFFECTS>(scene, &branch.ray);
-        let mut branch = *branch;
         if Effects::from_bits(EFFECTS).has(Effects::ATTENUATION) {
             let distance = hit.as_ref().map_or(T::MAX, |hit| hit.contact.t);
             branch.throughput = branch.throughput * branch.media.transmittance(scene, distance);
@@ -167,18 +155,18 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             self.gathered += branch.throughput * background::<T, EFFECTS>(scene, branch.ray.direction);
             return;
         };
-        let surface = hit.surface::<EFFECTS>(&branch.ray);
+        let surface = hit.surface::<EFFECTS>(&branch.ray).facing(hit.contact.front());
         let reach = if MEDIA > 0 { surface.reach(branch.ray.direction, hit.contact.t) } else { T::ZERO };
         let border = branch.media.border::<T, EFFECTS>(scene, &Crossing { hit: &hit, ray: &branch.ray, reach });
         if border.overflow {
             observer.media_overflow();
         }
-        let front = hit.contact.front();
         if !border.is_real {
-            let ray = surface.leave(branch.ray.direction, !front);
-            let passed = branch.passed.saturating_add(1);
-            let branch = Branch { ray, media: border.media, kind: RayKind::Passed, passed, ..branch };
-            if passed < MOST_PASSED {
+            branch.ray = surface.leave(branch.ray.direction, false);
+            branch.media = border.media;
+            branch.kind = RayKind::Passed;
+            branch.passed = branch.passed.saturating_add(1);
+            if branch.passed < MOST_PASSED {
                 self.current = Some(branch);
             } else {
                 self.cut::<EFFECTS, O>(context, &branch, Cut::Passed, observer);
@@ -186,21 +174,20 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             return;
         }
         let (material, fresnel) = (&hit.object.material, scene.fresnel);
-        let meeting = Meeting { branch: &branch, material, surface: &surface, front, border: &border, fresnel };
+        let meeting = Meeting { branch: &branch, material, surface: &surface, border: &border, fresnel };
         let body = if branch.channel.is_none() && border.is_dispersive::<EFFECTS>() {
             self.disperse::<EFFECTS, O>(&meeting, pending, context, observer);
             T::ONE
         } else {
             self.split::<EFFECTS, O>(&meeting, pending, context, observer)
         };
-        self.shading = Shading::new::<EFFECTS>(material, &surface, front, &branch, body);
+        self.shading = Shading::new::<EFFECTS>(material, &surface, &branch, body);
         if let Some(shading) = &self.shading {
             self.gathered += shading.emitted::<EFFECTS>();
         }
     }
 
     /// Spawns the children at a surface; gives the share of the light that gets through to the body.
-    #[inline(always)]
     fn split<const EFFECTS: u64, O: Observer>(
         &mut self,
         meeting: &Meeting<'_, T, MEDIA>,
@@ -212,16 +199,20 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         if split.is_total {
             observer.total_internal_reflection();
         }
-        let reflected = meeting.reflected::<EFFECTS>(split.reflected);
-        let transmitted = meeting.transmitted::<EFFECTS>(split.transmitted);
-        for child in [reflected, transmitted].into_iter().flatten() {
+        if let Some((direction, weight)) = split.reflected {
+            let child = meeting.child::<EFFECTS>(RayKind::Reflected, direction, weight);
+            self.spawn::<EFFECTS, O>(child, pending, context, observer);
+        }
+        if let Some((direction, weight)) = split.transmitted {
+            let child = meeting.child::<EFFECTS>(RayKind::Transmitted, direction, weight);
             self.spawn::<EFFECTS, O>(child, pending, context, observer);
         }
         split.body
     }
 
-    /// Spawns the children at a dispersive border. The reflected branch, which can be dispersed again, is followed after
-    /// the others: so there are never more than two branches for other channels aside.
+    /// Spawns the children of a branch of all channels at a dispersive border: one transmitted branch for each channel, and
+    /// one reflected branch for all of them. This one, which can be dispersed again, is followed after the others: so there
+    /// are never more than two branches for other channels aside.
     fn disperse<const EFFECTS: u64, O: Observer>(
         &mut self,
         meeting: &Meeting<'_, T, MEDIA>,
@@ -229,14 +220,20 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         context: &Context<'_, 'a, T>,
         observer: &mut O,
     ) {
-        let (children, is_total) = meeting.disperse::<EFFECTS>();
-        if is_total {
+        let splits = meeting.split_channels::<EFFECTS>();
+        if splits.iter().all(|(_, split)| split.is_total) {
             observer.total_internal_reflection();
         }
-        for child in children.into_iter().flatten() {
+        if let Some((direction, weight)) = reflected(&splits) {
+            let child = meeting.child::<EFFECTS>(RayKind::Reflected, direction, weight);
+            self.spawn::<EFFECTS, O>(child, pending, context, observer);
+        }
+        for (channel, split) in &splits {
+            let Some((direction, weight)) = split.transmitted else { continue };
+            let child = meeting.child::<EFFECTS>(RayKind::Transmitted, direction, channel.of(weight));
             // What was current so far waits below the new one.
             let before = self.current.take();
-            self.spawn::<EFFECTS, O>(child, pending, context, observer);
+            self.spawn::<EFFECTS, O>(Branch { channel: Some(*channel), ..child }, pending, context, observer);
             if let Some(before) = before {
                 match self.current {
                     Some(_) => self.put_aside::<EFFECTS, O>(before, pending, context, observer),
@@ -247,7 +244,6 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
     }
 
     /// Takes a branch into the walk, unless it weighs nothing or the budget cuts it.
-    #[inline(always)]
     fn spawn<const EFFECTS: u64, O: Observer>(
         &mut self,
         branch: Branch<T, MEDIA>,
@@ -259,10 +255,10 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         if weight <= T::ZERO {
             return;
         }
-        if branch.depth > context.budget.depth.min(MOST_BOUNCES) {
-            self.cut::<EFFECTS, O>(context, &branch, Cut::Depth, observer);
-        } else if weight < context.budget.cutoff {
-            self.cut::<EFFECTS, O>(context, &branch, Cut::Cutoff, observer);
+        let too_deep = branch.depth > context.budget.depth.min(MOST_BOUNCES);
+        if too_deep || weight < context.budget.cutoff {
+            let reason = if too_deep { Cut::Depth } else { Cut::Cutoff };
+            self.cut::<EFFECTS, O>(context, &branch, reason, observer);
         } else if self.current.is_none() {
             self.current = Some(branch);
         } else {
@@ -271,7 +267,6 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
     }
 
     /// There is room whenever the depth is within what the stack was made for.
-    #[inline(always)]
     fn put_aside<const EFFECTS: u64, O: Observer>(
         &mut self,
         branch: Branch<T, MEDIA>,

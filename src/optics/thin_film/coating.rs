@@ -27,7 +27,6 @@ impl<T: Real> Coating<T> {
     ///
     /// `cosine` is that of the angle of incidence and `thickness` in nanometres. The cheapest way, and far from
     /// what is seen: white light's fringes fade as a film gets thicker, and these do not.
-    #[inline]
     #[must_use]
     pub fn by_wavelengths(&self, cosine: T, thickness: T) -> Rgb<T> {
         self.at_wavelengths(&Incidence::new(self.outer, self.film, cosine), thickness, WAVELENGTHS)
@@ -37,7 +36,6 @@ impl<T: Real> Coating<T> {
     ///
     /// `cosine` and `thickness` as in [`by_wavelengths`](Self::by_wavelengths). The base's index is linear in the
     /// wavelength between [`WAVELENGTHS`] and constant outside of them.
-    #[inline]
     #[must_use]
     pub fn by_bands(&self, cosine: T, thickness: T, bands: &[Band]) -> Rgb<T> {
         let incidence = Incidence::new(self.outer, self.film, cosine);
@@ -61,7 +59,6 @@ impl<T: Real> Coating<T> {
     /// `cosine` and `thickness` as in [`by_wavelengths`](Self::by_wavelengths). For indices that are the same at all
     /// wavelengths of a channel it is exact up to the table and the last terms. A film in which the wave is evanescent
     /// has no fringes, and is computed at the mean wavelength of each channel.
-    #[inline]
     #[must_use]
     pub fn by_table(&self, cosine: T, thickness: T) -> Rgb<T> {
         let incidence = Incidence::new(self.outer, self.film, cosine);
@@ -95,7 +92,6 @@ impl<T: Real> Coating<T> {
         Rgb::new(r.reflectance(), g.reflectance(), b.reflectance())
     }
 
-    #[inline]
     fn at_wavelengths(&self, incidence: &Incidence<T>, thickness: T, wavelengths: Rgb<f32>) -> Rgb<T> {
         let stacks = self.per_channel(|base| Stack::new(incidence, base));
         let at = |stack: Stack<T>, wavelength| stack.unpolarised(&incidence.wave(thickness, T::from_f32(wavelength)));
@@ -103,7 +99,6 @@ impl<T: Real> Coating<T> {
     }
 
     /// `f` of each channel's base, computed once for channels that are the same.
-    #[inline]
     fn per_channel<U: Copy>(&self, f: impl Fn(Complex<T>) -> U) -> Rgb<U> {
         let Rgb { r: red, g: green, b: blue } = self.base;
         let r = f(red);
@@ -112,7 +107,6 @@ impl<T: Real> Coating<T> {
         Rgb::new(r, g, b)
     }
 
-    #[inline]
     fn base_at(&self, wavelength: T) -> Complex<T> {
         let Rgb { r: red, g: green, b: blue } = WAVELENGTHS.map(T::from_f32);
         let clamp = |t: T| t.max(T::ZERO).min(T::ONE);

@@ -47,7 +47,6 @@ pub(super) struct Stack<T> {
 }
 
 impl<T: Real> Incidence<T> {
-    #[inline]
     pub(super) fn new(outer: T, film: T, cosine: T) -> Self {
         let outer_normal = outer * cosine.max(T::ZERO);
         let square = normal_squared(outer, film, outer_normal);
@@ -56,7 +55,6 @@ impl<T: Real> Incidence<T> {
     }
 
     /// `thickness` and `wavelength` in the same unit.
-    #[inline]
     pub(super) fn wave(&self, thickness: T, wavelength: T) -> Wave<T> {
         let b = self.film_normal;
         if !self.evanescent {
@@ -81,7 +79,6 @@ impl<T: Real> Incidence<T> {
 }
 
 impl<T: Real> Stack<T> {
-    #[inline]
     pub(super) fn new(incidence: &Incidence<T>, base: Complex<T>) -> Self {
         let &Incidence { outer, film, outer_normal, .. } = incidence;
         let re = normal_squared(outer, base.re, outer_normal) - base.im * base.im;
@@ -99,14 +96,12 @@ impl<T: Real> Stack<T> {
     }
 
     /// The mean of the two polarisations.
-    #[inline]
     pub(super) fn unpolarised(&self, wave: &Wave<T>) -> T {
         T::HALF * (self.s.reflectance(wave) + self.p.reflectance(wave))
     }
 }
 
 impl<T: Real> Admittances<T> {
-    #[inline]
     pub(super) fn reflectance(&self, wave: &Wave<T>) -> T {
         let &Wave { cosine, quotient, product } = wave;
         let Complex { re, im } = self.base;

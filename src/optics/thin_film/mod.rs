@@ -22,7 +22,6 @@ use incidence::{Incidence, Stack};
 /// near: frustrated total reflection) and of both. At grazing incidence it is 1 and at thickness 0 it is the Fresnel
 /// reflectance of the base alone. It is within \[0, 1\] always. In `f32` the error is below 1e-5 for films of up to 13
 /// wavelengths of path difference and grows in proportion to that.
-#[inline]
 #[must_use]
 pub fn thin_film<T: Real>(outer: T, film: T, base: Complex<T>, cosine: T, thickness_nm: T, wavelength_nm: T) -> (T, T) {
     let incidence = Incidence::new(outer, film, cosine);

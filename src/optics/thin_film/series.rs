@@ -41,7 +41,6 @@ struct Powers<T> {
 
 impl<T: Real> Series<T> {
     /// In a film that is not evanescent.
-    #[inline]
     pub(super) fn new(incidence: &Incidence<T>, stack: &Stack<T>) -> Self {
         let b = incidence.film_normal;
         Self { s: Coefficients::new(b, &stack.s), p: Coefficients::new(b, &stack.p) }
@@ -55,7 +54,6 @@ impl<T: Real> Series<T> {
 }
 
 impl<T: Real> Coefficients<T> {
-    #[inline]
     fn new(b: T, admittances: &Admittances<T>) -> Self {
         let &Admittances { outer: a, base: g } = admittances;
         let four = T::TWO + T::TWO;
@@ -75,7 +73,6 @@ impl<T: Real> Coefficients<T> {
 
 impl<T: Real> Harmonics<T> {
     /// `turns` is the path difference in wavelengths of the channel's carrier.
-    #[inline]
     pub(super) fn new(series: Series<T>, turns: T) -> Self {
         let (sine, cosine) = sin_cos_turns(turns);
         let carrier = Complex::new(cosine, sine);
@@ -90,7 +87,6 @@ impl<T: Real> Harmonics<T> {
     }
 
     /// The next term, with the envelope C(mD).
-    #[inline]
     pub(super) fn add(&mut self, envelope: Complex<T>) {
         self.s.add(envelope);
         self.p.add(envelope);
@@ -99,7 +95,6 @@ impl<T: Real> Harmonics<T> {
     }
 
     /// The unpolarised reflectance.
-    #[inline]
     pub(super) fn reflectance(self) -> T {
         let last = self.envelope;
         // The envelope is continued as a geometric series, which never grows.
@@ -116,14 +111,12 @@ impl<T: Real> Harmonics<T> {
 }
 
 impl<T: Real> Powers<T> {
-    #[inline]
     fn add(&mut self, envelope: Complex<T>) {
         self.power = self.power * self.ratio;
         self.sum = self.sum + self.power * envelope;
     }
 
     /// The terms that were not added, in closed form.
-    #[inline]
     fn rest(&self, envelope: Complex<T>, decay: Complex<T>) -> Complex<T> {
         let x = self.ratio * decay;
         let remaining = Complex::ONE - x;

@@ -35,30 +35,36 @@ pub(super) const fn within(x: f32, low: f32, high: f32) -> bool {
     x >= low && x <= high
 }
 
+#[inline(never)]
 pub(super) const fn length(x: f32, field: &'static str) -> Result<(), Fault> {
     check(within(x, -FARTHEST, FARTHEST), field, LENGTH)
 }
 
+#[inline(never)]
 pub(super) const fn positive(x: f32, field: &'static str) -> Result<(), Fault> {
     check(within(x, 1e-12, FARTHEST), field, POSITIVE)
 }
 
+#[inline(never)]
 pub(super) const fn amount(x: f32, field: &'static str) -> Result<(), Fault> {
     check(within(x, 0.0, BRIGHTEST), field, AMOUNT)
 }
 
+#[inline(never)]
 pub(in crate::scene) const fn point(v: Vec3<f32>, field: &'static str) -> Result<(), Fault> {
     ensure!(length(v.x, field));
     ensure!(length(v.y, field));
     length(v.z, field)
 }
 
+#[inline(never)]
 pub(in crate::scene) const fn color(c: Rgb<f32>, field: &'static str) -> Result<(), Fault> {
     ensure!(amount(c.r, field));
     ensure!(amount(c.g, field));
     amount(c.b, field)
 }
 
+#[inline(never)]
 pub(super) const fn share(c: Rgb<f32>, field: &'static str) -> Result<(), Fault> {
     check(within(c.r, 0.0, 1.0) && within(c.g, 0.0, 1.0) && within(c.b, 0.0, 1.0), field, SHARE)
 }
@@ -72,6 +78,7 @@ pub(super) const fn minus(a: Vec3<f32>, b: Vec3<f32>) -> Vec3<f32> {
 }
 
 /// A direction whose square neither underflows nor overflows.
+#[inline(never)]
 pub(in crate::scene) const fn direction(v: Vec3<f32>, field: &'static str) -> Result<(), Fault> {
     ensure!(point(v, field));
     check(dot(v, v) > 1e-24, field, DIRECTION)
@@ -81,6 +88,7 @@ pub(super) const fn unit(v: Vec3<f32>, field: &'static str) -> Result<(), Fault>
     check(within(dot(v, v), 0.999, 1.001), field, "a vector of length 1")
 }
 
+#[inline(never)]
 pub(super) const fn refraction(index: &Index<f32>, field: &'static str) -> Result<(), Fault> {
     match *index {
         Index::Constant(n) => refraction_of(n, field),
@@ -92,6 +100,7 @@ pub(super) const fn refraction(index: &Index<f32>, field: &'static str) -> Resul
     }
 }
 
+#[inline(never)]
 pub(super) const fn refraction_of(index: f32, field: &'static str) -> Result<(), Fault> {
     check(within(index, 1e-3, 1e3), field, "an index of refraction from 1e-3 to 1e3")
 }

@@ -4,11 +4,13 @@ use super::number::{FARTHEST, Fault, POSITIVE, check, direction, ensure, length,
 use crate::math::Vec3;
 use crate::scene::Shape;
 
+#[inline(never)]
 const fn round(center: Vec3<f32>, radius: f32) -> Result<(), Fault> {
     ensure!(point(center, "center"));
     check(within(radius.abs(), 1e-12, FARTHEST), "radius", POSITIVE)
 }
 
+#[inline(never)]
 #[allow(clippy::indexing_slicing)] // Constant indices into arrays of three.
 const fn corners(vertices: &[Vec3<f32>; 3]) -> Result<(), Fault> {
     ensure!(point(vertices[0], "vertices"));
