@@ -14,5 +14,5 @@ mod triangle;
 pub use intersection::Intersection;
 pub(crate) use ray::Contact;
 pub use ray::Ray;
-pub(crate) use search::{Hit, encloses, meets, nearest, occluded};
+pub(crate) use search::{Hit, Wanted, encloses, meets, search};
 pub(crate) use surface::Surface;
