@@ -15,4 +15,4 @@ pub use intersection::Intersection;
 pub(crate) use ray::Contact;
 pub use ray::Ray;
 pub(crate) use search::{Hit, Wanted, encloses, meets, search};
-pub(crate) use surface::Surface;
+pub(crate) use surface::{Located, Surface};

@@ -3,9 +3,9 @@
 use core::slice;
 
 use super::triangle::Shear;
-use super::{Contact, Ray, Surface, axis_box, cone, plane, sphere, spheres, triangle};
-use crate::math::Real;
-use crate::scene::{Effects, Object, Shadow, Shape, Sides, SmoothTriangle, Triangle};
+use super::{Contact, Located, Ray, Surface, axis_box, cone, plane, sphere, spheres, triangle};
+use crate::math::{Real, Vec3};
+use crate::scene::{Effects, Object, Shadow, Shape, Sides, SmoothTriangle, Sphere, Triangle};
 
 /// What a ray meets first.
 pub(crate) struct Hit<'a, T> {
@@ -87,39 +87,69 @@ pub(crate) fn encloses<T: Real, const EFFECTS: u64>(object: &Object<'_, T>, ray:
 }
 
 impl<T: Real> Hit<'_, T> {
-    /// The surface at the contact.
-    #[inline(always)]
+    /// The surface at the contact. Shapes that a tracer's effects leave out, which it never meets, face the ray.
+    #[inline]
     pub(crate) fn surface<const EFFECTS: u64>(&self, ray: &Ray<T>) -> Surface<T> {
         let contact = &self.contact;
+        let point = ray.at(contact.t);
+        let mut shading = None;
+        let mut curvature_radius = T::MAX;
+        let located = if let Some((anchor, direction)) = self.plane::<EFFECTS>() {
+            plane::locate(point, anchor, direction)
+        } else if let Some(sphere) = self.sphere::<EFFECTS>() {
+            curvature_radius = sphere.radius.abs();
+            sphere::locate(&sphere, ray, contact)
+        } else if let Some(vertices) = self.triangle::<EFFECTS>() {
+            let (located, shares) = triangle::locate(vertices, ray, contact, self.weights);
+            if let (Shape::SmoothTriangle(t), true) = (&self.object.shape, has::<EFFECTS>(Effects::SMOOTH_TRIANGLE)) {
+                shading = Some(triangle::shading(&t.normals, shares, located.normal));
+            }
+            located
+        } else {
+            match &self.object.shape {
+                Shape::Box(b) if has::<EFFECTS>(Effects::BOX) => axis_box::locate(b, ray, contact),
+                Shape::Cone(c) if has::<EFFECTS>(Effects::CONE) => {
+                    let (located, radius) = cone::locate(c, ray, contact);
+                    curvature_radius = radius;
+                    located
+                }
+                _ => Located { point, normal: -ray.direction, error: Vec3::ZERO },
+            }
+        };
+        Surface::new(located, shading.unwrap_or(located.normal), curvature_radius)
+    }
+
+    /// The flat face that is met: a point of it and the direction across.
+    #[inline]
+    fn plane<const EFFECTS: u64>(&self) -> Option<(Vec3<T>, Vec3<T>)> {
         match &self.object.shape {
-            Shape::Sphere(s) if has::<EFFECTS>(Effects::SPHERE) => sphere::surface(s, ray, contact),
-            Shape::Plane(p) if has::<EFFECTS>(Effects::PLANE) => plane::surface(p, ray, contact),
-            Shape::Disc(d) if has::<EFFECTS>(Effects::DISC) => plane::disc_surface(d, ray, contact),
-            Shape::Box(b) if has::<EFFECTS>(Effects::BOX) => axis_box::surface(b, ray, contact),
-            Shape::Triangle(t) if has::<EFFECTS>(Effects::TRIANGLE) => {
-                triangle::surface(&t.vertices, ray, contact, self.weights).0
-            }
-            Shape::SmoothTriangle(t) if has::<EFFECTS>(Effects::SMOOTH_TRIANGLE) => {
-                triangle::smooth_surface(t, ray, contact, self.weights)
-            }
-            Shape::Cone(c) if has::<EFFECTS>(Effects::CONE) => cone::surface(c, ray, contact),
-            Shape::Spheres(list) if has::<EFFECTS>(Effects::SPHERES) => match list.sphere(self.primitive) {
-                Some(s) => sphere::surface(&s, ray, contact),
-                None => facing(ray, contact),
-            },
-            Shape::Triangles(list) if has::<EFFECTS>(Effects::TRIANGLES) => match list.get(self.primitive) {
-                Some(t) => triangle::surface(&t.vertices, ray, contact, self.weights).0,
-                None => facing(ray, contact),
-            },
-            _ => facing(ray, contact),
+            Shape::Plane(p) if has::<EFFECTS>(Effects::PLANE) => Some((p.point, p.normal)),
+            Shape::Disc(d) if has::<EFFECTS>(Effects::DISC) => Some((d.center, d.normal)),
+            Shape::Cone(c) if has::<EFFECTS>(Effects::CONE) => cone::cap(c, &self.contact),
+            _ => None,
         }
     }
-}
 
-/// A surface across the ray: for shapes that a tracer's effects leave out, which it never meets.
-fn facing<T: Real>(ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
-    let point = ray.at(contact.t);
-    Surface::new(point, -ray.direction, point.abs() * T::ROUNDOFF)
+    /// The sphere that is met.
+    #[inline]
+    fn sphere<const EFFECTS: u64>(&self) -> Option<Sphere<T>> {
+        match &self.object.shape {
+            Shape::Sphere(s) if has::<EFFECTS>(Effects::SPHERE) => Some(*s),
+            Shape::Spheres(list) if has::<EFFECTS>(Effects::SPHERES) => list.sphere(self.primitive),
+            _ => None,
+        }
+    }
+
+    /// The corners of the triangle that is met.
+    #[inline]
+    fn triangle<const EFFECTS: u64>(&self) -> Option<&[Vec3<T>; 3]> {
+        match &self.object.shape {
+            Shape::Triangle(t) if has::<EFFECTS>(Effects::TRIANGLE) => Some(&t.vertices),
+            Shape::SmoothTriangle(t) if has::<EFFECTS>(Effects::SMOOTH_TRIANGLE) => Some(&t.vertices),
+            Shape::Triangles(list) if has::<EFFECTS>(Effects::TRIANGLES) => Some(&list.get(self.primitive)?.vertices),
+            _ => None,
+        }
+    }
 }
 
 const fn has<const EFFECTS: u64>(effects: Effects) -> bool {

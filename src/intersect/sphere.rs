@@ -1,6 +1,6 @@
 //! Ray against sphere.
 
-use super::{Contact, Ray, Surface, ray};
+use super::{Contact, Located, Ray, ray};
 use crate::math::{Real, Twofold, Vec3};
 use crate::scene::Sphere;
 
@@ -84,9 +84,9 @@ fn level<T: Real>(sphere: &Sphere<T>, point: Vec3<T>) -> T {
     (from_center.twofold_dot(from_center) - radius * radius).rounded()
 }
 
-/// The surface at a contact. The point is moved onto the sphere, so its error does not grow with the distance.
-#[inline(always)]
-pub(crate) fn surface<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
+/// The point of a contact. It is moved onto the sphere, so its error does not grow with the distance.
+#[inline]
+pub(crate) fn locate<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contact<T>) -> Located<T> {
     let solid = sphere.radius > T::ZERO;
     // A sphere far smaller than a rounding of its distance is met in its centre.
     let facing = if contact.front() == solid { -ray.direction } else { ray.direction };
@@ -97,23 +97,22 @@ pub(crate) fn surface<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Conta
     if point.largest() * T::TWO < sphere.radius.abs() {
         // Where the way is shorter than the radius, the ray tells better where along the surface the point is.
         let point = if contact.t < sphere.radius.abs() { ray.at(contact.t) } else { point };
-        return settle(sphere, point, normal);
+        let (point, error) = settle(sphere, point, outward);
+        return Located { point, normal, error };
     }
     // The direction is good to 4 roundings, its product with r to 5; 8 leave room for the discriminant's own.
     let error = local.abs() * (T::from_f32(8.0) * T::ROUNDOFF);
-    Surface::new(point, normal, error).curved(sphere.radius.abs())
+    Located { point, normal, error }
 }
 
-/// The surface of a sphere that is larger than the coordinates of the point, which are then known better than the
-/// radius: the point is moved along the normal by its level, good to 4 roundings of the point and to 16 of the radius
+/// A point of a sphere that is larger than the coordinates of the point, which are then known better than the radius, and
+/// its error: the point is moved along the outward direction by its level, good to 4 roundings of the point and to 16 of the radius
 /// in twice the digits.
 #[cold]
 #[inline(never)]
-fn settle<T: Real>(sphere: &Sphere<T>, point: Vec3<T>, normal: Vec3<T>) -> Surface<T> {
+fn settle<T: Real>(sphere: &Sphere<T>, point: Vec3<T>, outward: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
     let height = level(sphere, point) / ((point - sphere.center).length() + sphere.radius.abs());
-    let outward = if sphere.radius > T::ZERO { normal } else { -normal };
     let point = point - outward * height;
     let rest = T::from_f32(16.0) * T::ROUNDOFF * T::ROUNDOFF * sphere.radius.abs();
-    let error = point.abs() * (T::from_f32(4.0) * T::ROUNDOFF) + Vec3::splat(rest);
-    Surface::new(point, normal, error).curved(sphere.radius.abs())
+    (point, point.abs() * (T::from_f32(4.0) * T::ROUNDOFF) + Vec3::splat(rest))
 }

@@ -4,9 +4,9 @@
 //! where the ray is an axis; two triangles see the same numbers with opposite signs at a shared edge, so none of them
 //! can round the ray away on both sides. A value of exactly zero counts as a hit on either side.
 
-use super::{Contact, Ray, Surface};
+use super::{Contact, Located, Ray};
 use crate::math::{Real, Vec3};
-use crate::scene::{SmoothTriangle, Triangle};
+use crate::scene::Triangle;
 
 /// The shear that makes a ray an axis; worked out once a ray.
 #[derive(Clone, Copy)]
@@ -168,34 +168,29 @@ pub(crate) fn intersect_list<T: Real>(
     best
 }
 
-/// The surface of a triangle at a contact with these weights, and the shares of its corners.
+/// The point of a contact with these weights, and the shares of the corners.
 ///
 /// The point comes from the shares, which keeps it in the triangle's plane whatever the distance; with 7 roundings of each
 /// product (Pharr, Jakob and Humphreys, 6.8.5).
-pub(crate) fn surface<T: Real>(
+#[inline]
+pub(crate) fn locate<T: Real>(
     vertices: &[Vec3<T>; 3],
     ray: &Ray<T>,
     contact: &Contact<T>,
     weights: [T; 3],
-) -> (Surface<T>, [T; 3]) {
+) -> (Located<T>, [T; 3]) {
     let exact = if contact.part() == SETTLED { exact_shares(vertices, ray) } else { None };
     let shares = exact.unwrap_or_else(|| shares(weights));
     let error = weigh(&vertices.map(Vec3::abs), shares) * (T::from_f32(8.0) * T::ROUNDOFF);
     let normal = exact_normal(vertices).normalized_or(-ray.direction);
-    (Surface::new(weigh(vertices, shares), normal, error), shares)
+    (Located { point: weigh(vertices, shares), normal, error }, shares)
 }
 
-/// The surface of a smooth triangle: its shading normal is the mean of the corners' unit normals.
-pub(crate) fn smooth_surface<T: Real>(
-    triangle: &SmoothTriangle<T>,
-    ray: &Ray<T>,
-    contact: &Contact<T>,
-    weights: [T; 3],
-) -> Surface<T> {
-    let (surface, shares) = surface(&triangle.vertices, ray, contact, weights);
-    // Normals that cancel leave nothing to shade with.
-    let shading = weigh(&triangle.normals.map(Vec3::normalized), shares).normalized_or(surface.normal);
-    Surface { shading, ..surface }
+/// The normal to shade a smooth triangle with: the mean of the corners' unit normals by the corners' shares, or the
+/// geometric one where they cancel.
+#[inline]
+pub(crate) fn shading<T: Real>(normals: &[Vec3<T>; 3], shares: [T; 3], geometric: Vec3<T>) -> Vec3<T> {
+    weigh(&normals.map(Vec3::normalized), shares).normalized_or(geometric)
 }
 
 /// The weights divided by their sum.
