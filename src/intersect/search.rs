@@ -91,11 +91,10 @@ impl<T: Real> Hit<'_, T> {
     #[inline]
     pub(crate) fn surface<const EFFECTS: u64>(&self, ray: &Ray<T>) -> Surface<T> {
         let contact = &self.contact;
-        let point = ray.at(contact.t);
         let mut shading = None;
         let mut curvature_radius = T::MAX;
         let located = if let Some((anchor, direction)) = self.plane::<EFFECTS>() {
-            plane::locate(point, anchor, direction)
+            plane::locate(ray.at(contact.t), anchor, direction)
         } else if let Some(sphere) = self.sphere::<EFFECTS>() {
             curvature_radius = sphere.radius.abs();
             sphere::locate(&sphere, ray, contact)
@@ -113,7 +112,7 @@ impl<T: Real> Hit<'_, T> {
                     curvature_radius = radius;
                     located
                 }
-                _ => Located { point, normal: -ray.direction, error: Vec3::ZERO },
+                _ => Located { point: ray.at(contact.t), normal: -ray.direction, error: Vec3::ZERO },
             }
         };
         Surface::new(located, shading.unwrap_or(located.normal), curvature_radius)
