@@ -20,68 +20,52 @@ pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, out
     let b = -f.dot(ray.direction);
     let square = sphere.radius * sphere.radius;
     let c = f.length_squared() - square;
-    if c < square * T::from_f32(1.0 / 256.0) {
-        return near_or_inside(sphere, ray, (b, c), limit, outside_only);
-    }
-    if b <= T::ZERO {
-        return None;
-    }
-    let discriminant = square - (f + ray.direction * b).length_squared();
-    if discriminant < T::ZERO {
-        return None;
-    }
-    let far = b + discriminant.sqrt();
-    first((c / far, far), sphere, limit, outside_only)
-}
-
-/// The contact for an origin near the surface or inside. Where rounding leaves few digits of the product of the roots, or
-/// puts the side that the origin is on in doubt, it is the level of the origin in twice the digits; b² less that is then the
-/// better discriminant.
-#[inline(never)]
-fn near_or_inside<T: Real>(
-    sphere: &Sphere<T>,
-    ray: &Ray<T>,
-    (b, mut c): (T, T),
-    limit: T,
-    outside_only: bool,
-) -> Option<Contact<T>> {
-    let square = sphere.radius * sphere.radius;
-    let doubt = square * (T::from_f32(16.0) * T::ROUNDOFF);
-    let discriminant = if c < -doubt {
-        square - (ray.origin - sphere.center + ray.direction * b).length_squared()
+    let (c, discriminant) = if c < square * T::from_f32(1.0 / 256.0) {
+        near_or_inside(sphere, ray, b, c)
     } else {
-        if b <= T::ZERO && c > doubt {
+        if b <= T::ZERO {
             return None;
         }
-        c = level(sphere, ray.origin);
-        b * b - c
+        (c, square - (f + ray.direction * b).length_squared())
     };
     if discriminant < T::ZERO {
         return None;
     }
     let root = discriminant.sqrt();
-    let roots = if b < T::ZERO {
+    let (near, far) = if b < T::ZERO {
         let near = b - root;
         (near, c / near)
     } else {
         let far = b + root;
         (if far > T::ZERO { c / far } else { far }, far)
     };
-    first(roots, sphere, limit, outside_only)
-}
-
-/// Of the two roots, the first that is a visible contact nearer than `limit`.
-#[inline(always)]
-fn first<T: Real>((near, far): (T, T), sphere: &Sphere<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let solid = sphere.radius > T::ZERO;
     ray::first([Contact::new(near, solid, 0), Contact::new(far, !solid, 0)], limit, outside_only)
 }
 
+/// The product of the roots and the discriminant for an origin near the surface or inside; the discriminant is negative
+/// where the ray moves away from the surface. Where rounding leaves few digits of the product, or puts the side that the
+/// origin is on in doubt, it is the level of the origin in twice the digits; b² less that is then the better discriminant.
+#[inline(never)]
+fn near_or_inside<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, b: T, c: T) -> (T, T) {
+    let square = sphere.radius * sphere.radius;
+    let doubt = square * (T::from_f32(16.0) * T::ROUNDOFF);
+    if c < -doubt {
+        return (c, square - (ray.origin - sphere.center + ray.direction * b).length_squared());
+    }
+    if b <= T::ZERO && c > doubt {
+        return (c, -T::ONE);
+    }
+    let c = level(sphere, ray.origin);
+    (c, b * b - c)
+}
+
 /// |point − centre|² − r², worked out in twice the digits.
 fn level<T: Real>(sphere: &Sphere<T>, point: Vec3<T>) -> T {
-    let from_center = point.exact_difference(sphere.center);
-    let radius = Twofold::difference(sphere.radius, T::ZERO);
-    (from_center.twofold_dot(from_center) - radius * radius).rounded()
+    let Sphere { center, radius } = sphere;
+    let [x, y, z, radius] = [(point.x, center.x), (point.y, center.y), (point.z, center.z), (*radius, T::ZERO)]
+        .map(|(a, b)| Twofold::difference(a, b).squared());
+    (x + y + z - radius).rounded()
 }
 
 /// The point of a contact. It is moved onto the sphere, so its error does not grow with the distance.
