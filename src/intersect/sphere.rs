@@ -79,9 +79,13 @@ pub(crate) fn locate<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contac
     let normal = if solid { outward } else { -outward };
     let point = sphere.center + local;
     if point.largest() * T::TWO < sphere.radius.abs() {
+        // The coordinates of the point are known better than the radius: it is moved by its height, good to 4 roundings of
+        // the point and to 16 of the radius in twice the digits.
         // Where the way is shorter than the radius, the ray tells better where along the surface the point is.
         let point = if contact.t < sphere.radius.abs() { ray.at(contact.t) } else { point };
-        let (point, error) = settle(sphere, point, outward);
+        let point = point - outward * height(sphere, point);
+        let rest = T::from_f32(16.0) * T::ROUNDOFF * T::ROUNDOFF * sphere.radius.abs();
+        let error = point.abs() * (T::from_f32(4.0) * T::ROUNDOFF) + Vec3::splat(rest);
         return Located { point, normal, error };
     }
     // The direction is good to 4 roundings, its product with r to 5; 8 leave room for the discriminant's own.
@@ -89,14 +93,9 @@ pub(crate) fn locate<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contac
     Located { point, normal, error }
 }
 
-/// A point of a sphere that is larger than the coordinates of the point, which are then known better than the radius, and
-/// its error: the point is moved along the outward direction by its level, good to 4 roundings of the point and to 16 of the radius
-/// in twice the digits.
+/// How far outside of a sphere a point next to it lies.
 #[cold]
 #[inline(never)]
-fn settle<T: Real>(sphere: &Sphere<T>, point: Vec3<T>, outward: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
-    let height = level(sphere, point) / ((point - sphere.center).length() + sphere.radius.abs());
-    let point = point - outward * height;
-    let rest = T::from_f32(16.0) * T::ROUNDOFF * T::ROUNDOFF * sphere.radius.abs();
-    (point, point.abs() * (T::from_f32(4.0) * T::ROUNDOFF) + Vec3::splat(rest))
+fn height<T: Real>(sphere: &Sphere<T>, point: Vec3<T>) -> T {
+    level(sphere, point) / ((point - sphere.center).length() + sphere.radius.abs())
 }
