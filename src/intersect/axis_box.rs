@@ -37,11 +37,13 @@ impl<T: Real> Span<T> {
 /// The first visible contact nearer than `limit`; `part` is the axis across the face.
 #[inline]
 pub(crate) fn intersect<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
+    let AxisBox { min, max } = shape;
     let (o, d) = (ray.origin, ray.direction);
-    let span = Span { enter: -T::MAX, enter_axis: 0, leave: T::MAX, leave_axis: 0 }
-        .cut(0, o.x, d.x, shape.min.x, shape.max.x)?
-        .cut(1, o.y, d.y, shape.min.y, shape.max.y)?
-        .cut(2, o.z, d.z, shape.min.z, shape.max.z)?;
+    let mut span = Span { enter: -T::MAX, enter_axis: 0, leave: T::MAX, leave_axis: 0 };
+    let slabs = [(o.x, d.x, min.x, max.x), (o.y, d.y, min.y, max.y), (o.z, d.z, min.z, max.z)];
+    for (axis, (origin, direction, low, high)) in (0..).zip(slabs) {
+        span = span.cut(axis, origin, direction, low, high)?;
+    }
     if span.enter > span.leave {
         return None;
     }
