@@ -16,7 +16,6 @@ struct Axis<T> {
 }
 
 impl<T: Real> Axis<T> {
-    #[inline]
     fn new(cone: &Cone<T>) -> Self {
         let axis = cone.apex - cone.base;
         let height = axis.length();
@@ -25,7 +24,6 @@ impl<T: Real> Axis<T> {
     }
 
     /// A vector's part along the axis and its part across.
-    #[inline]
     fn split(&self, v: Vec3<T>) -> (T, Vec3<T>) {
         let along = v.dot(self.unit);
         (along, v - self.unit * along)
