@@ -13,20 +13,23 @@ use crate::scene::Sphere;
 /// of the distance from the origin to the centre.
 ///
 /// Where the origin is so near the surface that the product of the roots loses its digits, as above a ground as large
-/// as a planet, [`near_or_inside`] works it out in twice the digits.
+/// as a planet, or that the side it is on is in doubt, the product is the level of the origin in twice the digits; b² less
+/// that is then the better discriminant.
 #[inline(always)]
 pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let f = ray.origin - sphere.center;
     let b = -f.dot(ray.direction);
     let square = sphere.radius * sphere.radius;
-    let c = f.length_squared() - square;
-    let (c, discriminant) = if c < square * T::from_f32(1.0 / 256.0) {
-        near_or_inside(sphere, ray, b, c)
+    let mut c = f.length_squared() - square;
+    let doubt = square * (T::from_f32(16.0) * T::ROUNDOFF);
+    if b <= T::ZERO && c > doubt {
+        return None;
+    }
+    let discriminant = if c < square * T::from_f32(1.0 / 256.0) && c >= -doubt {
+        c = level(sphere, ray.origin);
+        b * b - c
     } else {
-        if b <= T::ZERO {
-            return None;
-        }
-        (c, square - (f + ray.direction * b).length_squared())
+        square - (f + ray.direction * b).length_squared()
     };
     if discriminant < T::ZERO {
         return None;
@@ -43,24 +46,8 @@ pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, out
     ray::first([Contact::new(near, solid, 0), Contact::new(far, !solid, 0)], limit, outside_only)
 }
 
-/// The product of the roots and the discriminant for an origin near the surface or inside; the discriminant is negative
-/// where the ray moves away from the surface. Where rounding leaves few digits of the product, or puts the side that the
-/// origin is on in doubt, it is the level of the origin in twice the digits; b² less that is then the better discriminant.
-#[inline(never)]
-fn near_or_inside<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, b: T, c: T) -> (T, T) {
-    let square = sphere.radius * sphere.radius;
-    let doubt = square * (T::from_f32(16.0) * T::ROUNDOFF);
-    if c < -doubt {
-        return (c, square - (ray.origin - sphere.center + ray.direction * b).length_squared());
-    }
-    if b <= T::ZERO && c > doubt {
-        return (c, -T::ONE);
-    }
-    let c = level(sphere, ray.origin);
-    (c, b * b - c)
-}
-
 /// |point − centre|² − r², worked out in twice the digits.
+#[inline(never)]
 fn level<T: Real>(sphere: &Sphere<T>, point: Vec3<T>) -> T {
     let Sphere { center, radius } = sphere;
     let [x, y, z, radius] = [(point.x, center.x), (point.y, center.y), (point.z, center.z), (*radius, T::ZERO)]
@@ -79,10 +66,10 @@ pub(crate) fn locate<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contac
     let normal = if solid { outward } else { -outward };
     let point = sphere.center + local;
     if point.largest() * T::TWO < sphere.radius.abs() {
-        // The coordinates of the point are known better than the radius: it is moved by its height, good to 4 roundings of
-        // the point and to 16 of the radius in twice the digits.
         // Where the way is shorter than the radius, the ray tells better where along the surface the point is.
         let point = if contact.t < sphere.radius.abs() { ray.at(contact.t) } else { point };
+        // Its coordinates are known better than the radius: it is moved by its height, good to 4 roundings of the point
+        // and to 16 of the radius in twice the digits.
         let point = point - outward * height(sphere, point);
         let rest = T::from_f32(16.0) * T::ROUNDOFF * T::ROUNDOFF * sphere.radius.abs();
         let error = point.abs() * (T::from_f32(4.0) * T::ROUNDOFF) + Vec3::splat(rest);
