@@ -58,7 +58,7 @@ impl<T: Real> Surface<T> {
     /// A ray that leaves the surface: to the outside, or to the inside.
     #[inline]
     pub(crate) fn leave(&self, direction: Vec3<T>, outside: bool) -> Ray<T> {
-        let origin = if outside { self.point + self.offset } else { self.point - self.offset };
+        let origin = self.point + if outside { self.offset } else { -self.offset };
         Ray { origin, direction }
     }
 }
