@@ -1,6 +1,6 @@
 //! Ray against axis-aligned box.
 
-use super::{Contact, Ray, Surface, ray::first};
+use super::{Contact, Located, Ray, ray::first};
 use crate::math::{Real, Vec3};
 use crate::scene::AxisBox;
 
@@ -37,11 +37,13 @@ impl<T: Real> Span<T> {
 /// The first visible contact nearer than `limit`; `part` is the axis across the face.
 #[inline]
 pub(crate) fn intersect<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
+    let AxisBox { min, max } = shape;
     let (o, d) = (ray.origin, ray.direction);
-    let span = Span { enter: -T::MAX, enter_axis: 0, leave: T::MAX, leave_axis: 0 }
-        .cut(0, o.x, d.x, shape.min.x, shape.max.x)?
-        .cut(1, o.y, d.y, shape.min.y, shape.max.y)?
-        .cut(2, o.z, d.z, shape.min.z, shape.max.z)?;
+    let mut span = Span { enter: -T::MAX, enter_axis: 0, leave: T::MAX, leave_axis: 0 };
+    let slabs = [(o.x, d.x, min.x, max.x), (o.y, d.y, min.y, max.y), (o.z, d.z, min.z, max.z)];
+    for (axis, (origin, direction, low, high)) in (0..).zip(slabs) {
+        span = span.cut(axis, origin, direction, low, high)?;
+    }
     if span.enter > span.leave {
         return None;
     }
@@ -50,9 +52,10 @@ pub(crate) fn intersect<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, limit: T, out
     first([entry, exit], limit, outside_only)
 }
 
-/// The surface at a contact. The coordinate across the face is the face's own, without any error; the others are those of
+/// The point of a contact. The coordinate across the face is the face's own, without any error; the others are those of
 /// a point of the face, so that what starts next to an edge and goes inside does start inside.
-pub(crate) fn surface<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
+#[inline]
+pub(crate) fn locate<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, contact: &Contact<T>) -> Located<T> {
     let mut point = ray.at(contact.t).max(shape.min).min(shape.max);
     let mut normal = Vec3::ZERO;
     let (direction, low, high, coordinate, across) = match contact.part() {
@@ -63,5 +66,5 @@ pub(crate) fn surface<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, contact: &Conta
     // A ray that goes up enters by the low face and leaves by the high one.
     let at_low = (direction > T::ZERO) == contact.front();
     (*coordinate, *across) = if at_low { (low, -T::ONE) } else { (high, T::ONE) };
-    Surface::new(point, normal, Vec3::ZERO)
+    Located { point, normal, error: Vec3::ZERO }
 }

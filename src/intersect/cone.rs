@@ -1,8 +1,8 @@
 //! Ray against cylinder and cone, open or capped.
 
-use super::{Contact, Ray, Surface, plane, ray};
+use super::{Contact, Located, Ray, ray};
 use crate::math::{Real, Vec3};
-use crate::scene::{Cone, Disc};
+use crate::scene::Cone;
 
 const SIDE: u32 = 0;
 const BASE_CAP: u32 = 1;
@@ -16,7 +16,6 @@ struct Axis<T> {
 }
 
 impl<T: Real> Axis<T> {
-    #[inline]
     fn new(cone: &Cone<T>) -> Self {
         let axis = cone.apex - cone.base;
         let height = axis.length();
@@ -25,7 +24,6 @@ impl<T: Real> Axis<T> {
     }
 
     /// A vector's part along the axis and its part across.
-    #[inline]
     fn split(&self, v: Vec3<T>) -> (T, Vec3<T>) {
         let along = v.dot(self.unit);
         (along, v - self.unit * along)
@@ -175,13 +173,9 @@ fn roots<T: Real>(a: T, b: T, c: T) -> Option<[T; 2]> {
     Some(if first < second { [first, second] } else { [second, first] })
 }
 
-/// The surface at a contact. A point on the side is moved across the axis onto it.
-pub(crate) fn surface<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
-    match contact.part() {
-        BASE_CAP => return plane::disc_surface(&base_cap(cone), ray, contact),
-        APEX_CAP => return plane::disc_surface(&apex_cap(cone), ray, contact),
-        _ => {}
-    }
+/// The point of a contact with the side, moved across the axis onto it, and the radius there.
+#[inline]
+pub(crate) fn locate<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T>) -> (Located<T>, T) {
     let axis = Axis::new(cone);
     let (height, across) = axis.split(ray.at(contact.t) - cone.base);
     let radius = cone.base_radius.abs() + axis.slope * height;
@@ -196,19 +190,19 @@ pub(crate) fn surface<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T
     // roundings.
     let size = cone.base.abs() + Vec3::splat(height.abs() + cone.base_radius.abs().max(cone.apex_radius.abs()));
     let error = size * (T::from_f32(16.0) * T::ROUNDOFF);
-    Surface::new(point, if solid { normal } else { -normal }, error).curved(radius.abs())
+    (Located { point, normal: if solid { normal } else { -normal }, error }, radius.abs())
 }
 
-/// The disc at the base; its outside is away from the apex, or towards it when the cone is turned inwards.
-fn base_cap<T: Real>(cone: &Cone<T>) -> Disc<T> {
-    cap(cone.base, cone.apex, cone.base_radius)
-}
-
-fn apex_cap<T: Real>(cone: &Cone<T>) -> Disc<T> {
-    cap(cone.apex, cone.base, cone.apex_radius)
-}
-
-fn cap<T: Real>(center: Vec3<T>, other: Vec3<T>, radius: T) -> Disc<T> {
+/// The disc at the end of a cone that a contact is with, by its centre and the direction across it; `None` for the side.
+///
+/// The outside is away from the other end, or towards it when the cone is turned inwards.
+#[inline]
+pub(crate) fn cap<T: Real>(cone: &Cone<T>, contact: &Contact<T>) -> Option<(Vec3<T>, Vec3<T>)> {
+    let (center, other, radius) = match contact.part() {
+        BASE_CAP => (cone.base, cone.apex, cone.base_radius),
+        APEX_CAP => (cone.apex, cone.base, cone.apex_radius),
+        _ => return None,
+    };
     let away = center - other;
-    Disc { center, normal: if radius < T::ZERO { -away } else { away }, radius: radius.abs() }
+    Some((center, if radius < T::ZERO { -away } else { away }))
 }

@@ -2,6 +2,7 @@
 
 mod axis_box;
 mod cone;
+mod hit;
 mod intersection;
 mod plane;
 mod ray;
@@ -11,8 +12,9 @@ mod spheres;
 mod surface;
 mod triangle;
 
+pub(crate) use hit::Hit;
 pub use intersection::Intersection;
 pub(crate) use ray::Contact;
 pub use ray::Ray;
-pub(crate) use search::{Hit, encloses, meets, nearest, occluded};
-pub(crate) use surface::Surface;
+pub(crate) use search::{Wanted, encloses, meets, search};
+pub(crate) use surface::{Located, Surface};

@@ -1,6 +1,6 @@
 //! Ray against plane and disc.
 
-use super::{Contact, Ray, Surface};
+use super::{Contact, Located, Ray};
 use crate::math::{Real, Vec3};
 use crate::scene::{Disc, Plane};
 
@@ -18,20 +18,16 @@ pub(crate) fn intersect<T: Real>(plane: &Plane<T>, ray: &Ray<T>, limit: T, outsi
     (t > T::ZERO && t < limit).then_some(Contact::new(t, front, 0))
 }
 
-/// The surface at a contact.
-#[inline(always)]
-pub(crate) fn surface<T: Real>(plane: &Plane<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
-    flat_surface(ray.at(contact.t), plane.point, plane.normal.normalized())
-}
-
-/// A point moved onto the plane through `anchor`. The difference to the anchor, its product with the normal and the
-/// move are good to about 4 roundings of the larger of the two vectors, and the length of the normal to 4 of the move; 8
-/// are taken.
-pub(crate) fn flat_surface<T: Real>(point: Vec3<T>, anchor: Vec3<T>, normal: Vec3<T>) -> Surface<T> {
+/// A point moved onto the plane through `anchor` across `direction`. The difference to the anchor, its product with the
+/// normal and the move are good to about 4 roundings of the larger of the two vectors, and the length of the normal to 4 of
+/// the move; 8 are taken.
+#[inline]
+pub(crate) fn locate<T: Real>(point: Vec3<T>, anchor: Vec3<T>, direction: Vec3<T>) -> Located<T> {
+    let normal = direction.normalized();
     let height = normal * (point - anchor).dot(normal);
     let point = point - height;
     let error = (point.abs() + anchor.abs() + height.abs()) * (T::from_f32(8.0) * T::ROUNDOFF);
-    Surface::new(point, normal, error)
+    Located { point, normal, error }
 }
 
 /// The contact with a disc.
@@ -45,11 +41,6 @@ pub(crate) fn intersect_disc<T: Real>(
     let contact = intersect(&plane_of(disc), ray, limit, outside_only)?;
     let from_center = ray.at(contact.t) - disc.center;
     (from_center.length_squared() <= disc.radius * disc.radius).then_some(contact)
-}
-
-/// The surface of a disc at a contact.
-pub(crate) fn disc_surface<T: Real>(disc: &Disc<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
-    surface(&plane_of(disc), ray, contact)
 }
 
 fn plane_of<T: Real>(disc: &Disc<T>) -> Plane<T> {

@@ -52,5 +52,13 @@ impl<T: Copy> Contact<T> {
 /// Of two candidates in the order of the ray, the first that lies between 0 and `limit` and may be seen.
 #[inline]
 pub(crate) fn first<T: Real>(candidates: [Contact<T>; 2], limit: T, outside_only: bool) -> Option<Contact<T>> {
-    candidates.into_iter().find(|c| c.t > T::ZERO && c.t < limit && (c.front() || !outside_only))
+    let [near, far] = candidates;
+    let is_met = |c: Contact<T>| c.t > T::ZERO && c.t < limit && (c.front() || !outside_only);
+    if is_met(near) {
+        Some(near)
+    } else if is_met(far) {
+        Some(far)
+    } else {
+        None
+    }
 }

@@ -1,6 +1,6 @@
 //! Ray against sphere.
 
-use super::{Contact, Ray, Surface, ray};
+use super::{Contact, Located, Ray, ray};
 use crate::math::{Real, Twofold, Vec3};
 use crate::scene::Sphere;
 
@@ -13,80 +13,51 @@ use crate::scene::Sphere;
 /// of the distance from the origin to the centre.
 ///
 /// Where the origin is so near the surface that the product of the roots loses its digits, as above a ground as large
-/// as a planet, [`near_or_inside`] works it out in twice the digits.
+/// as a planet, or that the side it is on is in doubt, the product is the level of the origin in twice the digits; b² less
+/// that is then the better discriminant.
 #[inline(always)]
 pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let f = ray.origin - sphere.center;
     let b = -f.dot(ray.direction);
     let square = sphere.radius * sphere.radius;
-    let c = f.length_squared() - square;
-    if c < square * T::from_f32(1.0 / 256.0) {
-        return near_or_inside(sphere, ray, (b, c), limit, outside_only);
-    }
-    if b <= T::ZERO {
-        return None;
-    }
-    let discriminant = square - (f + ray.direction * b).length_squared();
-    if discriminant < T::ZERO {
-        return None;
-    }
-    let far = b + discriminant.sqrt();
-    first((c / far, far), sphere, limit, outside_only)
-}
-
-/// The contact for an origin near the surface or inside. Where rounding leaves few digits of the product of the roots, or
-/// puts the side that the origin is on in doubt, it is the level of the origin in twice the digits; b² less that is then the
-/// better discriminant.
-#[inline(never)]
-fn near_or_inside<T: Real>(
-    sphere: &Sphere<T>,
-    ray: &Ray<T>,
-    (b, mut c): (T, T),
-    limit: T,
-    outside_only: bool,
-) -> Option<Contact<T>> {
-    let square = sphere.radius * sphere.radius;
+    let mut c = f.length_squared() - square;
     let doubt = square * (T::from_f32(16.0) * T::ROUNDOFF);
-    let discriminant = if c < -doubt {
-        square - (ray.origin - sphere.center + ray.direction * b).length_squared()
-    } else {
-        if b <= T::ZERO && c > doubt {
-            return None;
-        }
+    if b <= T::ZERO && c > doubt {
+        return None;
+    }
+    let discriminant = if c < square * T::from_f32(1.0 / 256.0) && c >= -doubt {
         c = level(sphere, ray.origin);
         b * b - c
+    } else {
+        square - (f + ray.direction * b).length_squared()
     };
     if discriminant < T::ZERO {
         return None;
     }
     let root = discriminant.sqrt();
-    let roots = if b < T::ZERO {
+    let (near, far) = if b < T::ZERO {
         let near = b - root;
         (near, c / near)
     } else {
         let far = b + root;
         (if far > T::ZERO { c / far } else { far }, far)
     };
-    first(roots, sphere, limit, outside_only)
-}
-
-/// Of the two roots, the first that is a visible contact nearer than `limit`.
-#[inline(always)]
-fn first<T: Real>((near, far): (T, T), sphere: &Sphere<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let solid = sphere.radius > T::ZERO;
     ray::first([Contact::new(near, solid, 0), Contact::new(far, !solid, 0)], limit, outside_only)
 }
 
 /// |point − centre|² − r², worked out in twice the digits.
+#[inline(never)]
 fn level<T: Real>(sphere: &Sphere<T>, point: Vec3<T>) -> T {
-    let from_center = point.exact_difference(sphere.center);
-    let radius = Twofold::difference(sphere.radius, T::ZERO);
-    (from_center.twofold_dot(from_center) - radius * radius).rounded()
+    let Sphere { center, radius } = sphere;
+    let [x, y, z, radius] = [(point.x, center.x), (point.y, center.y), (point.z, center.z), (*radius, T::ZERO)]
+        .map(|(a, b)| Twofold::difference(a, b).squared());
+    (x + y + z - radius).rounded()
 }
 
-/// The surface at a contact. The point is moved onto the sphere, so its error does not grow with the distance.
-#[inline(always)]
-pub(crate) fn surface<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contact<T>) -> Surface<T> {
+/// The point of a contact. It is moved onto the sphere, so its error does not grow with the distance.
+#[inline]
+pub(crate) fn locate<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contact<T>) -> Located<T> {
     let solid = sphere.radius > T::ZERO;
     // A sphere far smaller than a rounding of its distance is met in its centre.
     let facing = if contact.front() == solid { -ray.direction } else { ray.direction };
@@ -97,23 +68,21 @@ pub(crate) fn surface<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Conta
     if point.largest() * T::TWO < sphere.radius.abs() {
         // Where the way is shorter than the radius, the ray tells better where along the surface the point is.
         let point = if contact.t < sphere.radius.abs() { ray.at(contact.t) } else { point };
-        return settle(sphere, point, normal);
+        // Its coordinates are known better than the radius: it is moved by its height, good to 4 roundings of the point
+        // and to 16 of the radius in twice the digits.
+        let point = point - outward * height(sphere, point);
+        let rest = T::from_f32(16.0) * T::ROUNDOFF * T::ROUNDOFF * sphere.radius.abs();
+        let error = point.abs() * (T::from_f32(4.0) * T::ROUNDOFF) + Vec3::splat(rest);
+        return Located { point, normal, error };
     }
     // The direction is good to 4 roundings, its product with r to 5; 8 leave room for the discriminant's own.
     let error = local.abs() * (T::from_f32(8.0) * T::ROUNDOFF);
-    Surface::new(point, normal, error).curved(sphere.radius.abs())
+    Located { point, normal, error }
 }
 
-/// The surface of a sphere that is larger than the coordinates of the point, which are then known better than the
-/// radius: the point is moved along the normal by its level, good to 4 roundings of the point and to 16 of the radius
-/// in twice the digits.
+/// How far outside of a sphere a point next to it lies.
 #[cold]
 #[inline(never)]
-fn settle<T: Real>(sphere: &Sphere<T>, point: Vec3<T>, normal: Vec3<T>) -> Surface<T> {
-    let height = level(sphere, point) / ((point - sphere.center).length() + sphere.radius.abs());
-    let outward = if sphere.radius > T::ZERO { normal } else { -normal };
-    let point = point - outward * height;
-    let rest = T::from_f32(16.0) * T::ROUNDOFF * T::ROUNDOFF * sphere.radius.abs();
-    let error = point.abs() * (T::from_f32(4.0) * T::ROUNDOFF) + Vec3::splat(rest);
-    Surface::new(point, normal, error).curved(sphere.radius.abs())
+fn height<T: Real>(sphere: &Sphere<T>, point: Vec3<T>) -> T {
+    level(sphere, point) / ((point - sphere.center).length() + sphere.radius.abs())
 }

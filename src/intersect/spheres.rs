@@ -48,16 +48,16 @@ pub(crate) fn intersect<T: Real>(
 /// out of line, both levels share it.
 #[inline(never)]
 fn near<T: Real>(cluster: &Cluster<T>, ray: &Ray<T>, limit: T) -> u32 {
-    let mut lanes = [0; LANES];
+    let mut lanes: [u32; LANES] = [1, 2, 4, 8, 16, 32, 64, 128];
     let spheres = cluster.x.iter().zip(&cluster.y).zip(&cluster.z).zip(&cluster.radius);
-    for (i, (lane, (((x, y), z), radius))) in lanes.iter_mut().zip(spheres).enumerate() {
+    for (lane, (((x, y), z), radius)) in lanes.iter_mut().zip(spheres) {
         let f = Vec3::new(*x, *y, *z) - ray.origin;
         let along = f.dot(ray.direction).max(T::ZERO);
         let square = *radius * *radius;
         let outside = f.length_squared() * (T::ONE - T::from_f32(64.0) * T::ROUNDOFF) - square;
         let past = (along * T::from_f32(1.0 - 1.0 / 1024.0) - limit).max(T::ZERO);
         let margin = (along * along - outside).min(square - past * past);
-        *lane = if margin < T::ZERO { 0 } else { 1 << i };
+        *lane = if margin < T::ZERO { 0 } else { *lane };
     }
     // Halves first, as wide as a vector register.
     let [a, b, c, d, e, f, g, h] = lanes;

@@ -4,6 +4,17 @@ use super::Ray;
 use crate::math::{Real, Vec3};
 use crate::scene::Effects;
 
+/// A point of a shape.
+#[derive(Clone, Copy)]
+pub(crate) struct Located<T> {
+    /// The point, brought back onto the surface.
+    pub point: Vec3<T>,
+    /// Unit geometric normal, on the outside.
+    pub normal: Vec3<T>,
+    /// A bound on the absolute error of each coordinate of the point.
+    pub error: Vec3<T>,
+}
+
 /// What is known of the point where a ray meets a surface.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Surface<T> {
@@ -20,15 +31,10 @@ pub(crate) struct Surface<T> {
 }
 
 impl<T: Real> Surface<T> {
-    /// A surface without a shading normal of its own. `error` bounds the absolute error of each coordinate of `point`.
-    pub(crate) fn new(point: Vec3<T>, normal: Vec3<T>, error: Vec3<T>) -> Self {
-        Self { point, normal, shading: normal, offset: offset(point, normal, error), curvature_radius: T::MAX }
-    }
-
-    /// The same place on a surface with this radius of curvature.
+    /// The surface around a point, with this normal to shade with and this radius of curvature.
     #[inline(always)]
-    pub(crate) fn curved(self, curvature_radius: T) -> Self {
-        Self { curvature_radius, ..self }
+    pub(crate) fn new(Located { point, normal, error }: Located<T>, shading: Vec3<T>, curvature_radius: T) -> Self {
+        Self { point, normal, shading, offset: offset(point, normal, error), curvature_radius }
     }
 
     /// How far the normal may turn, as an angle, within the rounding of the point.
@@ -63,7 +69,7 @@ impl<T: Real> Surface<T> {
     /// A ray that leaves the surface: to the outside, or to the inside.
     #[inline]
     pub(crate) fn leave(&self, direction: Vec3<T>, outside: bool) -> Ray<T> {
-        let origin = if outside { self.point + self.offset } else { self.point - self.offset };
+        let origin = self.point + if outside { self.offset } else { -self.offset };
         Ray { origin, direction }
     }
 }
@@ -73,6 +79,7 @@ impl<T: Real> Surface<T> {
 /// The point lies in a box of half-sides `error` around the true one, which reaches Σ|nᵢ|·errorᵢ along the normal
 /// (Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th edition, 6.8.6). Adding the shift rounds each
 /// coordinate once more, by up to u·|pᵢ|; twice that is added. No constant of the scene's size is involved.
+#[inline]
 fn offset<T: Real>(point: Vec3<T>, normal: Vec3<T>, error: Vec3<T>) -> Vec3<T> {
     let rounding = point.abs() * (T::ROUNDOFF + T::ROUNDOFF);
     normal * normal.abs().dot(error + rounding)

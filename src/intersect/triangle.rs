@@ -4,9 +4,9 @@
 //! where the ray is an axis; two triangles see the same numbers with opposite signs at a shared edge, so none of them
 //! can round the ray away on both sides. A value of exactly zero counts as a hit on either side.
 
-use super::{Contact, Ray, Surface};
+use super::{Contact, Located, Ray};
 use crate::math::{Real, Vec3};
-use crate::scene::{SmoothTriangle, Triangle};
+use crate::scene::Triangle;
 
 /// The shear that makes a ray an axis; worked out once a ray.
 #[derive(Clone, Copy)]
@@ -49,11 +49,14 @@ struct Crossing<T> {
     weights: [T; 3],
     sum: T,
     t: T,
-    /// Whether t is worked out in twice the digits, and the weights are not.
-    is_settled: bool,
+    /// [`SETTLED`], or 0.
+    part: u32,
 }
 
-#[inline]
+/// The part of a contact whose distance is worked out in twice the digits, while its weights are not.
+const SETTLED: u32 = 1;
+
+#[inline(always)]
 fn cross<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>, shear: &Shear<T>) -> Option<Crossing<T>> {
     let [a, b, c] = vertices.map(|v| {
         let v = permute(v - ray.origin, shear.axis);
@@ -70,7 +73,7 @@ fn cross<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>, shear: &Shear<T>) -> Op
         return None;
     }
     let t = (u * a.z + v * b.z + w * c.z) / sum;
-    let mut crossing = Crossing { weights: [u, v, w], sum, t, is_settled: false };
+    let mut crossing = Crossing { weights: [u, v, w], sum, t, part: 0 };
     // Where all corners lie in front of the origin, so does the crossing.
     let is_ahead = a.z > T::ZERO && b.z > T::ZERO && c.z > T::ZERO;
     if !is_ahead {
@@ -80,11 +83,6 @@ fn cross<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>, shear: &Shear<T>) -> Op
 }
 
 impl<T: Real> Crossing<T> {
-    /// The weights divided by their sum.
-    fn shares(&self) -> [T; 3] {
-        self.weights.map(|weight| weight / self.sum)
-    }
-
     /// Works t out in twice the digits, from the plane of the triangle, where rounding takes more than a thousandth of it.
     /// Its sign is right then, so that a ray that leaves a triangle does not meet it again.
     #[cold]
@@ -93,7 +91,7 @@ impl<T: Real> Crossing<T> {
         if self.t.abs() > uncertainty(sheared, self.weights, self.sum) * T::from_f32(1024.0) {
             return;
         }
-        self.is_settled = true;
+        self.part = SETTLED;
         let normal = b.exact_difference(*a).twofold_cross(c.exact_difference(*a));
         let approach = ray.direction.exact_difference(Vec3::ZERO).twofold_dot(normal).rounded();
         self.t = if approach == T::ZERO {
@@ -130,53 +128,83 @@ fn uncertainty<T: Real>([a, b, c]: [Vec3<T>; 3], [u, v, w]: [T; 3], sum: T) -> T
     T::from_f32(3.0) * (rounding(3.0) * weight * z + error_weight * z + error_z * weight) / sum.abs()
 }
 
-/// The contact nearer than `limit`, if it may be seen.
-#[inline]
+/// The contact nearer than `limit`, if it may be seen, and the weights of the corners there, not yet divided by their sum.
+#[inline(always)]
 pub(crate) fn intersect<T: Real>(
     vertices: &[Vec3<T>; 3],
     ray: &Ray<T>,
     shear: &Shear<T>,
     limit: T,
     outside_only: bool,
-) -> Option<Contact<T>> {
-    let crossing = cross(vertices, ray, shear)?;
+) -> Option<(Contact<T>, [T; 3])> {
+    let Crossing { weights, sum, t, part } = cross(vertices, ray, shear)?;
     // The sheared triangle turns clockwise, seen along the ray, when the sum is positive.
-    let front = (crossing.sum > T::ZERO) == (shear.z > T::ZERO);
-    let t = crossing.t;
-    (t < limit && (front || !outside_only)).then_some(Contact::new(t, front, 0))
+    let front = (sum > T::ZERO) == (shear.z > T::ZERO);
+    (t < limit && (front || !outside_only)).then_some((Contact::new(t, front, part), weights))
 }
 
-/// The surface of a flat triangle at a contact.
-pub(crate) fn surface<T: Real>(triangle: &Triangle<T>, ray: &Ray<T>) -> Surface<T> {
-    locate(&triangle.vertices, ray).0
+/// The nearest contact with a list of triangles, the number of the triangle and the weights there; with `any`, the first
+/// found.
+#[inline(never)]
+pub(crate) fn intersect_list<T: Real>(
+    list: &[Triangle<T>],
+    ray: &Ray<T>,
+    shear: &Shear<T>,
+    limit: T,
+    outside_only: bool,
+    any: bool,
+) -> Option<(Contact<T>, usize, [T; 3])> {
+    let mut best = None;
+    let mut limit = limit;
+    for (i, triangle) in list.iter().enumerate() {
+        if let Some((contact, weights)) = intersect(&triangle.vertices, ray, shear, limit, outside_only) {
+            limit = contact.t;
+            best = Some((contact, i, weights));
+            if any {
+                break;
+            }
+        }
+    }
+    best
 }
 
-/// The surface of a smooth triangle at a contact: its shading normal is the mean of the corners' unit normals.
-pub(crate) fn smooth_surface<T: Real>(triangle: &SmoothTriangle<T>, ray: &Ray<T>) -> Surface<T> {
-    let (surface, weights) = locate(&triangle.vertices, ray);
-    // Normals that cancel leave nothing to shade with.
-    let shading = weigh(&triangle.normals.map(Vec3::normalized), weights).normalized_or(surface.normal);
-    Surface { shading, ..surface }
-}
-
-/// The point by its barycentric weights, which keeps it in the triangle's plane whatever the distance; with 7 roundings
-/// of each product (Pharr, Jakob and Humphreys, 6.8.5).
-fn locate<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>) -> (Surface<T>, [T; 3]) {
-    let weights = match cross(vertices, ray, &Shear::new(ray.direction)) {
-        Some(crossing) if crossing.is_settled => exact_weights(vertices, ray).unwrap_or_else(|| crossing.shares()),
-        Some(crossing) => crossing.shares(),
-        None => [T::ONE, T::ZERO, T::ZERO],
-    };
-    let error = weigh(&vertices.map(Vec3::abs), weights) * (T::from_f32(8.0) * T::ROUNDOFF);
+/// The point of a contact with these weights, and the shares of the corners.
+///
+/// The point comes from the shares, which keeps it in the triangle's plane whatever the distance; with 7 roundings of each
+/// product (Pharr, Jakob and Humphreys, 6.8.5).
+#[inline]
+pub(crate) fn locate<T: Real>(
+    vertices: &[Vec3<T>; 3],
+    ray: &Ray<T>,
+    contact: &Contact<T>,
+    weights: [T; 3],
+) -> (Located<T>, [T; 3]) {
+    let exact = if contact.part() == SETTLED { exact_shares(vertices, ray) } else { None };
+    let shares = exact.unwrap_or_else(|| shares(weights));
+    let error = weigh(&vertices.map(Vec3::abs), shares) * (T::from_f32(8.0) * T::ROUNDOFF);
     let normal = exact_normal(vertices).normalized_or(-ray.direction);
-    (Surface::new(weigh(vertices, weights), normal, error), weights)
+    (Located { point: weigh(vertices, shares), normal, error }, shares)
 }
 
-/// The weights of the corners, worked out in twice the digits: for slivers, and for triangles whose corners are far away.
+/// The normal to shade a smooth triangle with: the mean of the corners' unit normals by the corners' shares, or the
+/// geometric one where they cancel.
+#[inline]
+pub(crate) fn shading<T: Real>(normals: &[Vec3<T>; 3], shares: [T; 3], geometric: Vec3<T>) -> Vec3<T> {
+    weigh(&normals.map(Vec3::normalized), shares).normalized_or(geometric)
+}
+
+/// The weights divided by their sum.
+#[inline]
+fn shares<T: Real>([u, v, w]: [T; 3]) -> [T; 3] {
+    let sum = u + v + w;
+    [u / sum, v / sum, w / sum]
+}
+
+/// The shares of the corners, worked out in twice the digits: for slivers, and for triangles whose corners are far away.
 /// `None` where they have no sum.
 #[cold]
 #[inline(never)]
-fn exact_weights<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>) -> Option<[T; 3]> {
+fn exact_shares<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>) -> Option<[T; 3]> {
     let [a, b, c] = vertices.map(|v| v.exact_difference(ray.origin));
     let direction = ray.direction.exact_difference(Vec3::ZERO);
     let weights = [(c, b), (a, c), (b, a)].map(|(p, q)| direction.twofold_dot(p.twofold_cross(q)).rounded());
@@ -184,8 +212,7 @@ fn exact_weights<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>) -> Option<[T; 3
     // What rounding has taken out of the triangle is at its edge.
     let sign = if u + v + w < T::ZERO { -T::ONE } else { T::ONE };
     let [u, v, w] = weights.map(|weight| (weight * sign).max(T::ZERO));
-    let sum = u + v + w;
-    if sum >= T::SMALLEST { Some([u / sum, v / sum, w / sum]) } else { None }
+    if u + v + w >= T::SMALLEST { Some(shares([u, v, w])) } else { None }
 }
 
 /// The direction across a triangle, good to a rounding even for a sliver, and so long that its square neither underflows

@@ -4,6 +4,9 @@
 //! symbols below are known to the compiler, which replaces the call by `vsqrt.f32`, `sqrtss` or
 //! `f32.sqrt`; where there is no such instruction, the compiler's own runtime library supplies them. IEEE 754 asks for
 //! the correctly rounded result, so every target gives the same bits.
+//!
+//! The sign is taken off first, because C wants to be told of numbers below zero: for those, the compiler would keep the
+//! call beside the instruction, and the function in the program.
 #![allow(unsafe_code)] // Declaring a foreign function is all it takes; the functions themselves are safe to call.
 
 unsafe extern "C" {
@@ -13,12 +16,12 @@ unsafe extern "C" {
 
 #[inline(always)]
 pub(super) fn f32(x: f32) -> f32 {
-    sqrtf(x)
+    sqrtf(x.abs())
 }
 
 #[inline(always)]
 pub(super) fn f64(x: f64) -> f64 {
-    sqrt(x)
+    sqrt(x.abs())
 }
 
 #[cfg(test)]

@@ -23,6 +23,11 @@ impl<T: Real> Twofold<T> {
         Self { high, low }
     }
 
+    /// The square.
+    pub(crate) fn squared(self) -> Self {
+        self * self
+    }
+
     /// The nearest number.
     #[inline]
     pub(crate) fn rounded(self) -> T {
