@@ -1,18 +1,19 @@
 //! From records to a scene, as the library's reader makes them of a file.
 
 use whit::scene::{Exponent, Extent, Highlight, Interface, Lobe, Medium, Shape, SmoothTriangle};
-use whit::{Background, Camera, Light, Material, Object, Real, Rgb, SceneBuf, Vec3};
+use whit::{Background, Camera, Light, Material, Object, Real, Rgb, Scene, Vec3};
 
 use crate::Number;
-use crate::record::{CONE, LIGHT, LIGHTS, OBJECTS, Record, SMOOTH_TRIANGLE, SPHERE, TRIANGLE};
+use crate::memory::empty_scene;
+use crate::record::{CONE, LIGHT, Record, SMOOTH_TRIANGLE, SPHERE, TRIANGLE};
 
 /// The scene that a list of records describes; `None` when it is empty or too long.
-pub fn scene(records: &[Record]) -> Option<SceneBuf<Number, OBJECTS, LIGHTS>> {
+pub fn scene(records: &[Record]) -> Option<Scene<'static, Number>> {
     let (view, rest) = records.split_first()?;
     let [eye, target, up, ..] = points(view);
     let camera = Camera::with_half_height(eye, target, up, Number::from_f32(view.index));
     let camera = Camera { extent: Extent::PixelCentres, ..camera };
-    let mut scene = SceneBuf::new(camera, Background::Solid(color(view.color)));
+    let scene = empty_scene(camera, Background::Solid(color(view.color)));
     for record in rest {
         if record.kind == LIGHT {
             let [position, ..] = points(record);
@@ -21,7 +22,7 @@ pub fn scene(records: &[Record]) -> Option<SceneBuf<Number, OBJECTS, LIGHTS>> {
             scene.add_object(object(record)?).ok()?;
         }
     }
-    Some(scene)
+    Some(scene.as_scene())
 }
 
 fn object(record: &Record) -> Option<Object<'static, Number>> {

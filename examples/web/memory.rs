@@ -6,7 +6,7 @@
 
 use core::mem::MaybeUninit;
 
-use whit::{Scene, SceneBuf};
+use whit::{Background, Camera, Scene, SceneBuf};
 
 use crate::Number;
 use crate::message::Message;
@@ -44,9 +44,8 @@ pub fn keep(scene: Scene<'static, Number>, in_second: bool) -> &'static Scene<'s
     if in_second { second.write(scene) } else { first.write(scene) }
 }
 
-/// Keeps the objects and lights of a scene in place of those before, to which no frame refers.
-pub fn keep_all(scene: Buffer) -> Scene<'static, Number> {
+/// An empty scene in place of the one before, to which no frame refers. It would not fit on the stack.
+pub fn empty_scene(camera: Camera<Number>, background: Background<Number>) -> &'static mut Buffer {
     static mut BUFFER: MaybeUninit<Buffer> = MaybeUninit::uninit();
-    let buffer: &'static _ = unsafe { &mut *(&raw mut BUFFER) }.write(scene);
-    buffer.as_scene()
+    unsafe { &mut *(&raw mut BUFFER) }.write(SceneBuf::new(camera, background))
 }

@@ -71,7 +71,7 @@ impl Page {
         self.close();
         let scene = memory::records().get(..count).and_then(decode::scene);
         if let Some(scene) = scene {
-            self.open(memory::keep_all(scene));
+            self.open(scene);
         }
     }
 
