@@ -7,6 +7,8 @@ export class Job {
   constructor(renderer, pose, wishes) {
     renderer.start(pose, wishes);
     this.renderer = renderer;
+    this.pose = [...pose];
+    this.wishes = wishes;
     this.pixels = this.left = wishes.width * wishes.height;
     // Every 8th pixel of every 8th row comes first; from then on, the picture covers its size.
     this.coarse = Math.ceil(wishes.width / 8) * Math.ceil(wishes.height / 8);

@@ -6,12 +6,12 @@ import { Reader, Renderer } from "./renderer.js";
 
 /** Milliseconds of work before the browser has its turn. */
 const SLICE = 12;
-/** What a picture is compared with; the samples are the picture's own if those are more. */
-const REFERENCE = { maths: "f64", samples: 16, depth: 32, cutoff: 0, termination: 0, fresnel: 0 };
+/** What a picture is compared with; the samples and the depth are the picture's own if those are more. */
+const REFERENCE = { maths: "f64", samples: 16, depth: 12, cutoff: 0, termination: 0, fresnel: 0 };
 
 const element = Object.fromEntries([...document.querySelectorAll("[id]")].map((e) => [e.id, e]));
 const { canvas } = element;
-const context = canvas.getContext("2d", { alpha: false });
+const context = canvas.getContext("2d", { alpha: false, willReadFrequently: true });
 const orbit = new Orbit(canvas, () => restart());
 
 const renderers = new Map(); // By number type, for the pictures.
@@ -19,7 +19,7 @@ let referee = null; // The renderer of the reference.
 let reader = null;
 let scene = null;
 let job = null;
-let reference = null; // The job of the reference, with the `key` of what it shows.
+let reference = null; // The job of the reference, with the `key` of its view and settings.
 let isWaiting = false; // To begin anew, until the picture at hand can be seen.
 let isScheduled = false;
 let turn = 0; // Counts what was asked for, so that what loads slowly does not undo what came after.
@@ -32,7 +32,10 @@ async function begin() {
     control.addEventListener("change", () => (control === element.scene ? chooseScene() : restart()));
   }
   element.controls.addEventListener("submit", (event) => event.preventDefault());
-  element.compare.addEventListener("change", () => (showError(), schedule()));
+  element.compare.addEventListener("change", () => {
+    if (job) showError();
+    schedule();
+  });
   element.home.addEventListener("click", () => (orbit.reset(), restart()));
   element.file.addEventListener("change", () => {
     openFile(element.file.files[0]);
@@ -55,6 +58,7 @@ function chooseScene() {
 
 function open(next) {
   scene = next;
+  reference = null;
   orbit.home = renderers.get("f32").open(scene);
   job = null;
   restart();
@@ -72,8 +76,6 @@ async function restart() {
     if (mine !== turn) return;
     if (renderer.scene !== scene) renderer.open(scene);
     job = new Job(renderer, orbit.pose, wishes);
-    job.key = JSON.stringify([scene.name, [...orbit.pose], wishes.width, wishes.height]);
-    job.wishes = wishes;
     tell(null);
     showError();
     schedule();
@@ -89,7 +91,8 @@ function readControls() {
     wishes[id] = element[id].type === "number" ? element[id].valueAsNumber : Number(element[id].value);
     const isWhole = id === "cutoff" || Number.isInteger(wishes[id]);
     // What is below 0 or not whole cannot be handed over as it is.
-    if (!isWhole || !(wishes[id] >= 0)) throw new Error(`${id}: expected a ${id === "cutoff" ? "" : "whole "}number of at least 0`);
+    if (isWhole && wishes[id] >= 0) continue;
+    throw new Error(`${id}: expected a ${id === "cutoff" ? "" : "whole "}number of at least 0`);
   }
   return wishes;
 }
@@ -121,15 +124,17 @@ function work() {
 
 /** Goes on with the reference, begins it, or does nothing if it is known. */
 async function compare() {
-  const samples = Math.max(REFERENCE.samples, job.wishes.samples);
-  const key = `${job.key} ${samples}`;
-  if (reference?.key === key) return reference.isDone ? undefined : schedule();
+  const key = referenceKey();
+  if (referee?.scene === scene && reference?.key === key) {
+    if (!reference.isDone) schedule();
+    return;
+  }
   const mine = turn;
   try {
     referee ??= await Renderer.load(REFERENCE.maths);
     if (mine !== turn) return;
     if (referee.scene !== scene) referee.open(scene);
-    reference = new Job(referee, orbit.pose, { ...job.wishes, ...REFERENCE, samples });
+    reference = new Job(referee, job.pose, referenceFor(job.wishes));
     reference.key = key;
     showError();
     schedule();
@@ -164,18 +169,33 @@ function showCost() {
 }
 
 function showError() {
-  const samples = Math.max(REFERENCE.samples, job?.wishes?.samples ?? 0);
-  const setting = `f64, exact Fresnel, depth ${REFERENCE.depth}, cutoff 0, ${samples} samples`;
-  element.reference.textContent = element.compare.checked ? `Errors are in linear light, against ${setting}.` : "";
-  const isKnown = job?.isDone && reference?.isDone && reference.key === `${job.key} ${samples}`;
-  if (!element.compare.checked || !isKnown) {
-    const share = reference && job?.isDone && !reference.isDone ? 1 - reference.left / reference.pixels : 0;
-    element.rmse.value = element.off.value = element.compare.checked && share ? `${(100 * share).toFixed(0)} % done` : "–";
+  const { samples, depth } = referenceFor(job.wishes);
+  const setting = `f64, exact Fresnel, depth ${depth}, cutoff 0, ${samples} samples`;
+  const isAsked = element.compare.checked;
+  element.reference.textContent = isAsked
+    ? `Errors are in linear light, pixels off by more than 1/255; against ${setting}.`
+    : "";
+  element.rmse.value = element.off.value = "–";
+  if (!isAsked || !job.isDone || reference?.key !== referenceKey()) return;
+  if (!reference.isDone) {
+    element.rmse.value = `at ${((1 - reference.left / reference.pixels) * 100).toFixed(0)} %`;
     return;
   }
   const { rmse, off } = difference(job.renderer.values, reference.renderer.values);
-  element.rmse.value = rmse.toPrecision(3);
+  element.rmse.value = rmse === 0 ? "0" : rmse.toPrecision(3);
   element.off.value = `${(100 * off).toFixed(2)} %`;
+}
+
+/** The settings of the picture that this one is compared with. */
+function referenceFor(wishes) {
+  const { samples, depth } = wishes;
+  return { ...wishes, ...REFERENCE, samples: Math.max(REFERENCE.samples, samples), depth: Math.max(REFERENCE.depth, depth) };
+}
+
+/** What must be the same for a reference to be used again. */
+function referenceKey() {
+  const { width, height, samples, depth } = referenceFor(job.wishes);
+  return JSON.stringify([job.pose, width, height, samples, depth]);
 }
 
 async function openFile(file) {
