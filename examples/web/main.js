@@ -126,8 +126,7 @@ function work() {
 async function compare() {
   const key = referenceKey();
   if (referee?.scene === scene && reference?.key === key) {
-    if (!reference.isDone) schedule();
-    return;
+    return reference.isDone ? showError() : schedule();
   }
   const mine = turn;
   try {

@@ -38,6 +38,7 @@ export async function rendered(page) {
 /** The bytes of the canvas: red, green, blue and alpha of each pixel. */
 export async function pixels(page) {
   const { width, height, text } = await page.evaluate(() => {
+    const canvas = document.querySelector("canvas");
     const { width, height } = canvas;
     const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
     let text = "";
