@@ -1,8 +1,9 @@
 //! The renderer of the web page, in `f64`: to compare with, and to see what `f32` costs in accuracy.
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
+mod alone;
 mod decode;
-mod exports;
+pub mod exports;
 mod memory;
 mod message;
 mod page;
@@ -13,6 +14,7 @@ mod trap;
 
 use core::mem::MaybeUninit;
 
+use alone::Alone;
 use whit::{Real, Scene, SceneBuf};
 
 /// What is computed in.
@@ -21,8 +23,8 @@ type Number = f64;
 /// A built-in scene in that number type. The page must hold no frame of the one before.
 #[allow(unsafe_code)] // Static memory with one user: see `memory`.
 fn converted(scene: Scene<'static, f32>) -> Option<Scene<'static, Number>> {
-    static mut BUFFER: MaybeUninit<SceneBuf<Number, 128, 8>> = MaybeUninit::uninit();
+    static BUFFER: Alone<MaybeUninit<SceneBuf<Number, 128, 8>>> = Alone::new(MaybeUninit::uninit());
     let copy = SceneBuf::from_scene(&scene, Number::from_f32).ok()?;
-    let buffer: &'static _ = unsafe { &mut *(&raw mut BUFFER) }.write(copy);
+    let buffer: &'static _ = unsafe { BUFFER.get() }.write(copy);
     Some(buffer.as_scene())
 }

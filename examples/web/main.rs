@@ -1,8 +1,9 @@
 //! The renderer of the web page, in `f32`. [README.md](README.md) says how to build and open it.
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
+mod alone;
 mod decode;
-mod exports;
+pub mod exports;
 mod memory;
 mod message;
 mod page;

@@ -9,6 +9,7 @@ use core::mem::MaybeUninit;
 use whit::{Background, Camera, Scene, SceneBuf};
 
 use crate::Number;
+use crate::alone::Alone;
 use crate::message::Message;
 use crate::page::Page;
 use crate::picture::Picture;
@@ -17,35 +18,35 @@ use crate::record::{LIGHTS, OBJECTS, RECORDS, Record};
 pub type Buffer = SceneBuf<Number, OBJECTS, LIGHTS>;
 
 pub fn page() -> &'static mut Page {
-    static mut PAGE: Page = Page::EMPTY;
-    unsafe { &mut *(&raw mut PAGE) }
+    static PAGE: Alone<Page> = Alone::new(Page::EMPTY);
+    unsafe { PAGE.get() }
 }
 
 pub fn picture() -> &'static mut Picture {
-    static mut PICTURE: Picture = Picture::EMPTY;
-    unsafe { &mut *(&raw mut PICTURE) }
+    static PICTURE: Alone<Picture> = Alone::new(Picture::EMPTY);
+    unsafe { PICTURE.get() }
 }
 
 pub fn message() -> &'static mut Message {
-    static mut MESSAGE: Message = Message::EMPTY;
-    unsafe { &mut *(&raw mut MESSAGE) }
+    static MESSAGE: Alone<Message> = Alone::new(Message::EMPTY);
+    unsafe { MESSAGE.get() }
 }
 
 /// Where the page puts what is in a scene file.
 pub fn records() -> &'static mut [Record; RECORDS] {
-    static mut MEMORY: [Record; RECORDS] = [Record::EMPTY; RECORDS];
-    unsafe { &mut *(&raw mut MEMORY) }
+    static MEMORY: Alone<[Record; RECORDS]> = Alone::new([Record::EMPTY; RECORDS]);
+    unsafe { MEMORY.get() }
 }
 
 /// Keeps a scene in one of two places, to which no frame refers.
 pub fn keep(scene: Scene<'static, Number>, in_second: bool) -> &'static Scene<'static, Number> {
-    static mut SCENES: [MaybeUninit<Scene<'static, Number>>; 2] = [const { MaybeUninit::uninit() }; 2];
-    let [first, second] = unsafe { &mut *(&raw mut SCENES) };
+    static SCENES: Alone<[MaybeUninit<Scene<'static, Number>>; 2]> = Alone::new([const { MaybeUninit::uninit() }; 2]);
+    let [first, second] = unsafe { SCENES.get() };
     if in_second { second.write(scene) } else { first.write(scene) }
 }
 
 /// An empty scene in place of the one before, to which no frame refers. It would not fit on the stack.
 pub fn empty_scene(camera: Camera<Number>, background: Background<Number>) -> &'static mut Buffer {
-    static mut BUFFER: MaybeUninit<Buffer> = MaybeUninit::uninit();
-    unsafe { &mut *(&raw mut BUFFER) }.write(SceneBuf::new(camera, background))
+    static BUFFER: Alone<MaybeUninit<Buffer>> = Alone::new(MaybeUninit::uninit());
+    unsafe { BUFFER.get() }.write(SceneBuf::new(camera, background))
 }

@@ -1,12 +1,14 @@
 //! Reads a scene file for the web page, into records that its other modules take.
 #![cfg_attr(target_arch = "wasm32", no_std)]
-#![allow(unsafe_code)] // Static memory, as in `memory`, and names to be called by.
+#![allow(unsafe_code)] // As in `memory` and `exports`.
 
+mod alone;
 mod encode;
 mod message;
 mod record;
 mod trap;
 
+use alone::Alone;
 use encode::Records;
 use message::Message;
 use whit::scene::nff::{self, Found, NffError, Problem};
@@ -14,14 +16,14 @@ use whit::scene::nff::{self, Found, NffError, Problem};
 /// The longest file in bytes.
 const CAPACITY: usize = 512 * 1024;
 
-static mut TEXT: [u8; CAPACITY] = [0; CAPACITY];
-static mut RECORDS: Records = Records::EMPTY;
-static mut MESSAGE: Message = Message::EMPTY;
+static TEXT: Alone<[u8; CAPACITY]> = Alone::new([0; CAPACITY]);
+static RECORDS: Alone<Records> = Alone::new(Records::EMPTY);
+static MESSAGE: Alone<Message> = Alone::new(Message::EMPTY);
 
 /// Where the file goes.
 #[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
 pub extern "C" fn file() -> *mut u8 {
-    (&raw mut TEXT).cast()
+    unsafe { TEXT.get() }.as_mut_ptr()
 }
 
 /// How many bytes of it there is room for.
@@ -33,29 +35,29 @@ pub extern "C" fn file_capacity() -> usize {
 /// Reads the first bytes at `file`. Gives the length of what is wrong with them, at `text`; 0 is success.
 #[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
 pub extern "C" fn read_file(length: usize) -> usize {
-    let (text, records) = unsafe { (&*(&raw const TEXT), &mut *(&raw mut RECORDS)) };
+    let (text, records) = unsafe { (TEXT.get(), RECORDS.get()) };
     match nff::read_bytes(text.get(..length).unwrap_or_default(), records) {
         Ok(_) => 0,
-        Err(error) => tell(&error, unsafe { &mut *(&raw mut MESSAGE) }).as_bytes().len(),
+        Err(error) => tell(&error, unsafe { MESSAGE.get() }).as_bytes().len(),
     }
 }
 
 /// Where the message is.
 #[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
 pub extern "C" fn text() -> *const u8 {
-    unsafe { &*(&raw const MESSAGE) }.as_bytes().as_ptr()
+    unsafe { MESSAGE.get() }.as_bytes().as_ptr()
 }
 
 /// Where the records are that came of the file.
 #[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
 pub extern "C" fn records() -> *const u8 {
-    unsafe { &*(&raw const RECORDS) }.as_slice().as_ptr().cast()
+    unsafe { RECORDS.get() }.as_slice().as_ptr().cast()
 }
 
 /// How many bytes they are.
 #[cfg_attr(target_arch = "wasm32", unsafe(no_mangle))]
 pub extern "C" fn records_length() -> usize {
-    size_of_val(unsafe { &*(&raw const RECORDS) }.as_slice())
+    size_of_val(unsafe { RECORDS.get() }.as_slice())
 }
 
 /// Says what is wrong in the words of the library.
