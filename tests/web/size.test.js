@@ -6,6 +6,7 @@ import { mkdtempSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
 import { launch, open, pixels, rendered, set } from "./browser.js";
 import { modules, serve } from "./server.js";
 
@@ -24,7 +25,7 @@ const folder = mkdtempSync(join(tmpdir(), "whit-web-"));
 const optimised = (name) => join(folder, `${name}.wasm`);
 
 before(() => {
-  const tool = new URL("node_modules/.bin/wasm-opt", import.meta.url).pathname;
+  const tool = fileURLToPath(new URL("node_modules/.bin/wasm-opt", import.meta.url));
   const options = ["-Oz", "--strip-debug", "--strip-producers", "--strip-target-features"];
   for (const name of Object.keys(LIMITS)) {
     const features = FEATURES.map((feature) => `--enable-${feature}`);
