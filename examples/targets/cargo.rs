@@ -48,12 +48,13 @@ fn cargo(command: &str) -> Command {
     cargo
 }
 
-/// What tells how much stack a program takes: the sizes of the functions' frames, and the calls. They leave the code as it
-/// is. The first is unstable.
+/// What tells how much stack a program takes: the sizes of the functions' frames, the calls, and names. They leave the code
+/// as it is. The first is unstable.
 pub fn with_stack_sizes(cargo: &mut Command, target: &Target) {
     if target.is_arm {
         let flags = r#"["-Zunstable-options", "-Zemit-stack-sizes", "-Csymbol-mangling-version=legacy", "-Clink-arg=--emit-relocs"]"#;
         cargo.arg("--config").arg(format!("target.{}.rustflags={flags}", target.name));
+        cargo.args(["--config", "profile.small.strip='none'"]);
         cargo.env("RUSTC_BOOTSTRAP", "1");
     }
 }

@@ -1,0 +1,69 @@
+// How large the modules are, as cargo leaves them and after wasm-opt, and that both do the same.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync, statSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { launch, open, pixels, rendered, set } from "./browser.js";
+import { modules, serve } from "./server.js";
+
+/** The most bytes of each module. The aims are 32 KiB for `web` and 6 KiB for `web_card`, after wasm-opt. */
+const LIMITS = {
+  web: { plain: 115_000, optimised: 84_000 },
+  web_f64: { plain: 128_500, optimised: 95_000 },
+  web_nff: { plain: 60_000, optimised: 49_500 },
+  web_card: { plain: 18_000, optimised: 15_500 },
+};
+
+/** What the compiler's target has; where a module says so itself, it is cut off by `strip`. */
+const FEATURES = ["bulk-memory", "multivalue", "mutable-globals", "nontrapping-float-to-int", "reference-types", "sign-ext"];
+
+const folder = mkdtempSync(join(tmpdir(), "whit-web-"));
+const optimised = (name) => join(folder, `${name}.wasm`);
+
+before(() => {
+  const tool = fileURLToPath(new URL("node_modules/.bin/wasm-opt", import.meta.url));
+  const options = ["-Oz", "--strip-debug", "--strip-producers", "--strip-target-features"];
+  for (const name of Object.keys(LIMITS)) {
+    const features = FEATURES.map((feature) => `--enable-${feature}`);
+    execFileSync(tool, [...options, ...features, join(modules, `${name}.wasm`), "-o", optimised(name)]);
+  }
+});
+
+after(() => rmSync(folder, { recursive: true }));
+
+test("no module is larger than its limit", () => {
+  for (const [name, limits] of Object.entries(LIMITS)) {
+    const plain = statSync(join(modules, `${name}.wasm`)).size;
+    const small = statSync(optimised(name)).size;
+    console.log(`${name}: ${plain} bytes, ${small} after wasm-opt`);
+    assert.ok(plain <= limits.plain, `${name}: ${plain} bytes, the limit is ${limits.plain}`);
+    assert.ok(small <= limits.optimised, `${name} after wasm-opt: ${small} bytes, the limit is ${limits.optimised}`);
+  }
+});
+
+test("optimised modules render the same", async () => {
+  const path = (name) => `/target/wasm32-unknown-unknown/small/examples/${name}.wasm`;
+  const replaced = Object.fromEntries(Object.keys(LIMITS).map((name) => [path(name), optimised(name)]));
+  const browser = await launch();
+  const found = [];
+  for (const files of [{}, replaced]) {
+    const server = await serve(files);
+    const page = await open(browser, `${server.url}/examples/web/`);
+    await page.waitForSelector("#scene:enabled");
+    for (const scene of [0, 4, 7]) {
+      for (const maths of ["f32", "f64"]) {
+        await set(page, { scene, maths, width: 64, height: 48, samples: 1 });
+        await rendered(page);
+        found.push((await pixels(page)).data);
+      }
+    }
+    assert.deepEqual(page.problems, []);
+    server.close();
+  }
+  await browser.close();
+  for (let i = 0; i < 6; i++) assert.ok(found[i].equals(found[i + 6]), `picture ${i} differs`);
+});
