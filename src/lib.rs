@@ -2,8 +2,8 @@
 //! while it runs.
 //!
 //! The library needs no standard library, no allocator and no recursion. It renders on a microcontroller, in a web
-//! page or on a workstation. Its arithmetic leaves nothing to the target: operations in a written order, none fused, and
-//! functions of `libm`.
+//! page or on a workstation, with the same bits: its arithmetic leaves nothing to the target, with operations in a written
+//! order, none fused, and functions of `libm`.
 //!
 //! ```
 //! use whit::render::{Encoding, Rgb888, Size};
