@@ -1,7 +1,9 @@
 //! What a scene calls for, read off its structure: which variants, `Some` or `None`, never a number. That makes it
 //! constant for every number type.
 
-use super::{Aperture, Background, Effects, Emitter, Exponent, Film, Fresnel, Interface, Light, Lobe, Material, Medium};
+use super::{
+    Aperture, Background, Effects, Emitter, Exponent, Film, Fresnel, Interface, Light, Lobe, Material, Medium,
+};
 use super::{Object, Pattern, Scene, Shadow, Shape, Sides, Spectrum, Thickness, Tone};
 
 impl<T> Scene<'_, T> {
