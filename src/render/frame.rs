@@ -83,11 +83,7 @@ enum Phase {
 #[derive(Clone, Debug)]
 pub struct Frame<'a, T, const EFFECTS: u64, const DEPTH: usize, O = (), const MEDIA: usize = 0> {
     tracer: Tracer<'a, T, EFFECTS, DEPTH, MEDIA>,
-    size: Size,
-    rows: Range<u32>,
-    plan: Plan<T>,
-    /// The limits of the tree of one sample.
-    budget: Budget<T>,
+    job: Job<T>,
     view: View<T>,
     cursor: Cursor,
     phase: Phase,
@@ -95,6 +91,17 @@ pub struct Frame<'a, T, const EFFECTS: u64, const DEPTH: usize, O = (), const ME
     sequence: Sequence,
     tree: RayTree<'a, T, DEPTH, MEDIA>,
     observer: O,
+}
+
+/// What is asked of a frame, in the form in which it is worked off.
+#[derive(Clone, Debug)]
+struct Job<T> {
+    size: Size,
+    rows: Range<u32>,
+    plan: Plan<T>,
+    budget: Budget<T>,
+    /// The share of one sample in the budget's rays.
+    rays_per_sample: u32,
 }
 
 // What is asked of a frame of five bounces.
@@ -127,16 +134,13 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
         let Settings { size, rows, order, sampling, budget } = settings;
         let cursor = Cursor::new(size.width, &rows, order);
         // At least one sample is taken, so that the division cannot trap.
-        let rays_per_pixel = budget.rays_per_pixel / sampling.most().max(1);
+        let rays_per_sample = budget.rays_per_pixel / sampling.most().max(1);
         Ok(Self {
             tracer: *tracer,
             view: View::new(&tracer.scene().camera, size),
             sequence: Sequence::new(cursor.x, cursor.y),
             cursor,
-            size,
-            rows,
-            plan: Plan::new(&sampling),
-            budget: Budget { rays_per_pixel, ..budget },
+            job: Job { size, rows, plan: Plan::new(&sampling), budget, rays_per_sample },
             phase: Phase::Sample,
             pixel: Accumulator::EMPTY,
             tree: RayTree::new(),
@@ -165,7 +169,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
     /// # Errors
     /// Sizes that differ, or the framebuffer's own error, after which rendering can go on.
     pub fn step<F: Framebuffer>(&mut self, rays: u32, target: &mut F) -> Result<Progress, RenderError<F::Error>> {
-        let (frame, framebuffer) = (self.size, target.size());
+        let (frame, framebuffer) = (self.job.size, target.size());
         if frame != framebuffer {
             return Err(RenderError::Size { frame, framebuffer });
         }
@@ -181,7 +185,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
                     let Cursor { x, y, cell, .. } = self.cursor;
                     let pixel = Pixel { x, y, cell, color };
                     target.put(pixel).map_err(RenderError::Framebuffer)?;
-                    let next = self.cursor.advance(self.size.width, &self.rows);
+                    let next = self.cursor.advance(self.job.size.width, &self.job.rows);
                     self.sequence = Sequence::new(self.cursor.x, self.cursor.y);
                     self.phase = if next == Next::SameRow { Phase::Sample } else { Phase::EndRow(y) };
                 }
@@ -202,7 +206,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
     #[inline]
     fn eye_ray(&self) -> Ray<T> {
         let samples = self.samples();
-        let [s, t] = self.plan.position(&samples);
+        let [s, t] = self.job.plan.position(&samples);
         let (x, y) = (T::from_u32(self.cursor.x) + s, T::from_u32(self.cursor.y) + t);
         self.view.ray::<EFFECTS>(x, y, || samples.point(Sequence::LENS))
     }
@@ -211,16 +215,15 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
     fn trace(&mut self, rays: &mut u32) -> bool {
         let scene = self.tracer.scene();
         if matches!(self.phase, Phase::Sample) {
-            let rays = self.budget.rays_per_pixel;
-            self.tree.start::<EFFECTS, O>(self.eye_ray(), rays, scene, &mut self.observer);
+            self.tree.start::<EFFECTS, O>(self.eye_ray(), self.job.rays_per_sample, scene, &mut self.observer);
         }
-        let context = Context { scene, budget: &self.budget, samples: self.samples() };
+        let context = Context { scene, budget: &self.job.budget, samples: self.samples() };
         let Some(light) = self.tree.advance::<EFFECTS, O>(&context, rays, &mut self.observer) else {
             self.phase = Phase::Trace;
             return false;
         };
         self.phase = Phase::Sample;
-        if self.pixel.add(light, &self.plan) {
+        if self.pixel.add(light, &self.job.plan) {
             self.observer.pixel(self.cursor.x, self.cursor.y, self.pixel.count);
             // What fits into `T` may still be too much for `f32`.
             let color = self.tone(self.pixel.mean()).map(T::to_f32).min(Rgb::grey(f32::MAX));
