@@ -116,7 +116,7 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
                     *rays = rays.saturating_sub(1 + passed);
                     *rays_left = rays_left.saturating_sub(1 + passed);
                     if let Some(share) = light {
-                        gathered.gather(self.throughput, sent * share);
+                        *gathered += self.throughput * (sent * share);
                     }
                 }
             }
