@@ -128,7 +128,7 @@ macro_rules! pairs {
             BOX, EMPTY, "axis_box::intersect";
             TRIANGLE, EMPTY, "triangle::intersect";
             TRIANGLES_, EMPTY, "triangle::intersect";
-            SMOOTH, EMPTY, "smooth_surface";
+            SMOOTH, EMPTY, "triangle::shading";
             CONE, EMPTY, "cone::intersect";
             ONE_SIDED, SPHERE, "";
             SHADOWLESS, SPHERE, "";

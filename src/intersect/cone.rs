@@ -4,7 +4,8 @@ use super::{Contact, Located, Ray, ray};
 use crate::math::{Real, Vec3};
 use crate::scene::Cone;
 
-const SIDE: u32 = 0;
+/// The part of a contact with the side; the others are caps.
+pub(super) const SIDE: u32 = 0;
 const BASE_CAP: u32 = 1;
 const APEX_CAP: u32 = 2;
 
@@ -193,16 +194,16 @@ pub(crate) fn locate<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T>
     (Located { point, normal: if solid { normal } else { -normal }, error }, radius.abs())
 }
 
-/// The disc at the end of a cone that a contact is with, by its centre and the direction across it; `None` for the side.
+/// The disc at the end of a cone that a contact is with, by its centre and the direction across it.
 ///
 /// The outside is away from the other end, or towards it when the cone is turned inwards.
 #[inline]
-pub(crate) fn cap<T: Real>(cone: &Cone<T>, contact: &Contact<T>) -> Option<(Vec3<T>, Vec3<T>)> {
-    let (center, other, radius) = match contact.part() {
-        BASE_CAP => (cone.base, cone.apex, cone.base_radius),
-        APEX_CAP => (cone.apex, cone.base, cone.apex_radius),
-        _ => return None,
+pub(crate) fn cap<T: Real>(cone: &Cone<T>, contact: &Contact<T>) -> (Vec3<T>, Vec3<T>) {
+    let (center, other, radius) = if contact.part() == BASE_CAP {
+        (cone.base, cone.apex, cone.base_radius)
+    } else {
+        (cone.apex, cone.base, cone.apex_radius)
     };
     let away = center - other;
-    Some((center, if radius < T::ZERO { -away } else { away }))
+    (center, if radius < T::ZERO { -away } else { away })
 }

@@ -1,7 +1,7 @@
 //! What a ray meets first, and the surface there.
 
 use super::search::has;
-use super::{Contact, Located, Ray, Surface, axis_box, cone, plane, sphere, triangle};
+use super::{Contact, Ray, Surface, axis_box, cone, plane, sphere, triangle};
 use crate::math::{Real, Vec3};
 use crate::scene::{Effects, Object, Shape, Sphere};
 
@@ -16,15 +16,13 @@ pub(crate) struct Hit<'a, T> {
 }
 
 impl<T: Real> Hit<'_, T> {
-    /// The surface at the contact. Shapes that a tracer's effects leave out, which it never meets, face the ray.
+    /// The surface at the contact. Shapes that a tracer's effects leave out, which it never meets, have none that is right.
     #[inline]
     pub(crate) fn surface<const EFFECTS: u64>(&self, ray: &Ray<T>) -> Surface<T> {
         let contact = &self.contact;
         let mut shading = None;
         let mut curvature_radius = T::MAX;
-        let located = if let Some((anchor, direction)) = self.plane::<EFFECTS>() {
-            plane::locate(ray.at(contact.t), anchor, direction)
-        } else if let Some(sphere) = self.sphere::<EFFECTS>() {
+        let located = if let Some(sphere) = self.sphere::<EFFECTS>() {
             curvature_radius = sphere.radius.abs();
             sphere::locate(&sphere, ray, contact)
         } else if let Some(vertices) = self.triangle::<EFFECTS>() {
@@ -36,12 +34,15 @@ impl<T: Real> Hit<'_, T> {
         } else {
             match &self.object.shape {
                 Shape::Box(b) if has::<EFFECTS>(Effects::BOX) => axis_box::locate(b, ray, contact),
-                Shape::Cone(c) if has::<EFFECTS>(Effects::CONE) => {
+                Shape::Cone(c) if has::<EFFECTS>(Effects::CONE) && contact.part() == cone::SIDE => {
                     let (located, radius) = cone::locate(c, ray, contact);
                     curvature_radius = radius;
                     located
                 }
-                _ => Located { point: ray.at(contact.t), normal: -ray.direction, error: Vec3::ZERO },
+                _ => {
+                    let (anchor, direction) = self.plane::<EFFECTS>(ray);
+                    plane::locate(ray.at(contact.t), anchor, direction)
+                }
             }
         };
         Surface::new(located, shading.unwrap_or(located.normal), curvature_radius)
@@ -49,12 +50,12 @@ impl<T: Real> Hit<'_, T> {
 
     /// The flat face that is met: a point of it and the direction across.
     #[inline]
-    fn plane<const EFFECTS: u64>(&self) -> Option<(Vec3<T>, Vec3<T>)> {
+    fn plane<const EFFECTS: u64>(&self, ray: &Ray<T>) -> (Vec3<T>, Vec3<T>) {
         match &self.object.shape {
-            Shape::Plane(p) if has::<EFFECTS>(Effects::PLANE) => Some((p.point, p.normal)),
-            Shape::Disc(d) if has::<EFFECTS>(Effects::DISC) => Some((d.center, d.normal)),
+            Shape::Plane(p) if has::<EFFECTS>(Effects::PLANE) => (p.point, p.normal),
+            Shape::Disc(d) if has::<EFFECTS>(Effects::DISC) => (d.center, d.normal),
             Shape::Cone(c) if has::<EFFECTS>(Effects::CONE) => cone::cap(c, &self.contact),
-            _ => None,
+            _ => (ray.origin, ray.direction),
         }
     }
 

@@ -62,22 +62,24 @@ pub(crate) fn locate<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contac
     // A sphere far smaller than a rounding of its distance is met in its centre.
     let facing = if contact.front() == solid { -ray.direction } else { ray.direction };
     let outward = ((ray.origin - sphere.center) + ray.direction * contact.t).normalized_or(facing);
-    let local = outward * sphere.radius.abs();
     let normal = if solid { outward } else { -outward };
-    let point = sphere.center + local;
-    if point.largest() * T::TWO < sphere.radius.abs() {
+    let radius = sphere.radius.abs();
+    let local = outward * radius;
+    let mut point = sphere.center + local;
+    // The direction is good to 4 roundings, its product with r to 5; 8 leave room for the discriminant's own.
+    let (mut size, mut roundings, mut rest) = (local, T::from_f32(8.0) * T::ROUNDOFF, T::ZERO);
+    if point.largest() * T::TWO < radius {
         // Where the way is shorter than the radius, the ray tells better where along the surface the point is.
-        let point = if contact.t < sphere.radius.abs() { ray.at(contact.t) } else { point };
+        if contact.t < radius {
+            point = ray.at(contact.t);
+        }
         // Its coordinates are known better than the radius: it is moved by its height, good to 4 roundings of the point
         // and to 16 of the radius in twice the digits.
-        let point = point - outward * height(sphere, point);
-        let rest = T::from_f32(16.0) * T::ROUNDOFF * T::ROUNDOFF * sphere.radius.abs();
-        let error = point.abs() * (T::from_f32(4.0) * T::ROUNDOFF) + Vec3::splat(rest);
-        return Located { point, normal, error };
+        point -= outward * height(sphere, point);
+        (size, roundings) = (point, T::from_f32(4.0) * T::ROUNDOFF);
+        rest = T::from_f32(16.0) * T::ROUNDOFF * T::ROUNDOFF * radius;
     }
-    // The direction is good to 4 roundings, its product with r to 5; 8 leave room for the discriminant's own.
-    let error = local.abs() * (T::from_f32(8.0) * T::ROUNDOFF);
-    Located { point, normal, error }
+    Located { point, normal, error: size.abs() * roundings + Vec3::splat(rest) }
 }
 
 /// How far outside of a sphere a point next to it lies.

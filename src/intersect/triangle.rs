@@ -145,7 +145,6 @@ pub(crate) fn intersect<T: Real>(
 
 /// The nearest contact with a list of triangles, the number of the triangle and the weights there; with `any`, the first
 /// found.
-#[inline(never)]
 pub(crate) fn intersect_list<T: Real>(
     list: &[Triangle<T>],
     ray: &Ray<T>,

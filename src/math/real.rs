@@ -138,7 +138,7 @@ impl Real for f32 {
     fn product_error(self, other: Self, product: Self) -> Self {
         exact_product::error(self, other, product, 4097.0)
     }
-    #[inline]
+    #[inline(never)]
     fn floor(self) -> Self {
         // A few instructions in place of a call. From 2²³ on there are no fractions.
         let truncated = self as i32 as f32;

@@ -68,6 +68,13 @@ impl<T: Real> Rgb<T> {
         Self { r: self.r.max(other.r), g: self.g.max(other.g), b: self.b.max(other.b) }
     }
 
+    /// Adds light with a factor per channel. A call: its arguments are in memory, and some of its callers are large, where
+    /// registers are scarce.
+    #[inline(never)]
+    pub(crate) fn gather(&mut self, light: Self, share: Self) {
+        *self += light * share;
+    }
+
     /// From `self` at `t` = 0 to `other` at `t` = 1.
     #[inline]
     #[must_use]

@@ -1,15 +1,16 @@
 //! One picture, rendered as far as asked and taken up again.
 
 use core::fmt;
+use core::ops::Range;
 
 use super::order::{Cursor, Next};
-use super::sampling::Accumulator;
+use super::sampling::{Accumulator, Plan};
 use super::view::View;
 use super::{Framebuffer, Pixel, Settings, SettingsError, Size};
 use crate::intersect::Ray;
 use crate::math::{Real, Rgb};
 use crate::scene::{Effects, Tone};
-use crate::trace::{Context, Observer, RayTree, Samples, Sequence, Tracer};
+use crate::trace::{Budget, Context, Observer, RayTree, Samples, Sequence, Tracer};
 
 /// Why rendering stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,7 +83,7 @@ enum Phase {
 #[derive(Clone, Debug)]
 pub struct Frame<'a, T, const EFFECTS: u64, const DEPTH: usize, O = (), const MEDIA: usize = 0> {
     tracer: Tracer<'a, T, EFFECTS, DEPTH, MEDIA>,
-    settings: Settings<T>,
+    job: Job<T>,
     view: View<T>,
     cursor: Cursor,
     phase: Phase,
@@ -90,6 +91,17 @@ pub struct Frame<'a, T, const EFFECTS: u64, const DEPTH: usize, O = (), const ME
     sequence: Sequence,
     tree: RayTree<'a, T, DEPTH, MEDIA>,
     observer: O,
+}
+
+/// What is asked of a frame, in the form in which it is worked off.
+#[derive(Clone, Debug)]
+struct Job<T> {
+    size: Size,
+    rows: Range<u32>,
+    plan: Plan<T>,
+    budget: Budget<T>,
+    /// The share of one sample in the budget's rays.
+    rays_per_sample: u32,
 }
 
 // What is asked of a frame of five bounces.
@@ -119,13 +131,16 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
         observer: O,
     ) -> Result<Self, SettingsError> {
         settings.check(tracer.depth())?;
-        let cursor = Cursor::new(settings.size.width, &settings.rows, settings.order);
+        let Settings { size, rows, order, sampling, budget } = settings;
+        let cursor = Cursor::new(size.width, &rows, order);
+        // At least one sample is taken, so that the division cannot trap.
+        let rays_per_sample = budget.rays_per_pixel / sampling.most().max(1);
         Ok(Self {
             tracer: *tracer,
-            view: View::new(&tracer.scene().camera, settings.size),
+            view: View::new(&tracer.scene().camera, size),
             sequence: Sequence::new(cursor.x, cursor.y),
             cursor,
-            settings,
+            job: Job { size, rows, plan: Plan::new(&sampling), budget, rays_per_sample },
             phase: Phase::Sample,
             pixel: Accumulator::EMPTY,
             tree: RayTree::new(),
@@ -154,7 +169,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
     /// # Errors
     /// Sizes that differ, or the framebuffer's own error, after which rendering can go on.
     pub fn step<F: Framebuffer>(&mut self, rays: u32, target: &mut F) -> Result<Progress, RenderError<F::Error>> {
-        let (frame, framebuffer) = (self.settings.size, target.size());
+        let (frame, framebuffer) = (self.job.size, target.size());
         if frame != framebuffer {
             return Err(RenderError::Size { frame, framebuffer });
         }
@@ -170,7 +185,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
                     let Cursor { x, y, cell, .. } = self.cursor;
                     let pixel = Pixel { x, y, cell, color };
                     target.put(pixel).map_err(RenderError::Framebuffer)?;
-                    let next = self.cursor.advance(self.settings.size.width, &self.settings.rows);
+                    let next = self.cursor.advance(self.job.size.width, &self.job.rows);
                     self.sequence = Sequence::new(self.cursor.x, self.cursor.y);
                     self.phase = if next == Next::SameRow { Phase::Sample } else { Phase::EndRow(y) };
                 }
@@ -187,31 +202,28 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
         Samples { sequence: self.sequence, index: self.pixel.count }
     }
 
-    /// The eye ray of the current sample, and how many rays the sample may cost.
+    /// The eye ray of the current sample.
     #[inline]
-    fn eye_ray(&self) -> (Ray<T>, u32) {
+    fn eye_ray(&self) -> Ray<T> {
         let samples = self.samples();
-        let [s, t] = self.settings.sampling.position(&samples);
+        let [s, t] = self.job.plan.position(&samples);
         let (x, y) = (T::from_u32(self.cursor.x) + s, T::from_u32(self.cursor.y) + t);
-        let ray = self.view.ray::<EFFECTS>(x, y, || samples.point(Sequence::LENS));
-        // At least one sample is taken, so that the division cannot trap.
-        (ray, self.settings.budget.rays_per_pixel / self.settings.sampling.most().max(1))
+        self.view.ray::<EFFECTS>(x, y, || samples.point(Sequence::LENS))
     }
 
     /// Follows the tree of the current sample; `false` when the rays are used up first.
     fn trace(&mut self, rays: &mut u32) -> bool {
         let scene = self.tracer.scene();
         if matches!(self.phase, Phase::Sample) {
-            let (ray, rays) = self.eye_ray();
-            self.tree.start::<EFFECTS, O>(ray, rays, scene, &mut self.observer);
+            self.tree.start::<EFFECTS, O>(self.eye_ray(), self.job.rays_per_sample, scene, &mut self.observer);
         }
-        let context = Context { scene, budget: &self.settings.budget, samples: self.samples() };
+        let context = Context { scene, budget: &self.job.budget, samples: self.samples() };
         let Some(light) = self.tree.advance::<EFFECTS, O>(&context, rays, &mut self.observer) else {
             self.phase = Phase::Trace;
             return false;
         };
         self.phase = Phase::Sample;
-        if self.pixel.add(light, &self.settings.sampling) {
+        if self.pixel.add(light, &self.job.plan) {
             self.observer.pixel(self.cursor.x, self.cursor.y, self.pixel.count);
             // What fits into `T` may still be too much for `f32`.
             let color = self.tone(self.pixel.mean()).map(T::to_f32).min(Rgb::grey(f32::MAX));

@@ -33,19 +33,37 @@ impl<T: Real> Sampling<T> {
             Self::Adaptive { first, most, .. } => first.max(most),
         }
     }
+}
+
+/// The samples of each pixel of a frame, as numbers: whatever was asked, one piece of code takes them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Plan<T> {
+    /// How many squares there are in a row of the grid; 0 where samples are points of the sequence.
+    grid: u32,
+    first: u32,
+    most: u32,
+    /// Where no contrast is small enough to stop early, a number below 0.
+    contrast: T,
+}
+
+impl<T: Real> Plan<T> {
+    pub(crate) fn new(sampling: &Sampling<T>) -> Self {
+        let most = sampling.most();
+        match *sampling {
+            Sampling::Grid(n) => Self { grid: n.into(), first: 0, most, contrast: -T::ONE },
+            Sampling::Sequence(_) => Self { grid: 0, first: 0, most, contrast: -T::ONE },
+            Sampling::Adaptive { first, contrast, .. } => Self { grid: 0, first, most, contrast },
+        }
+    }
 
     /// Where a sample lies within its pixel.
     #[inline]
     pub(crate) fn position(&self, samples: &Samples) -> [T; 2] {
-        match *self {
-            Self::Grid(1) => [T::HALF; 2],
-            Self::Grid(n) => {
-                let n = u32::from(n.max(1));
-                let middle = |i: u32| (T::from_u32(i) + T::HALF) / T::from_u32(n);
-                [middle(samples.index % n), middle(samples.index / n)]
-            }
-            _ => samples.point(Sequence::PIXEL),
+        if self.grid == 0 {
+            return samples.point(Sequence::PIXEL);
         }
+        let middle = |i: u32| (T::from_u32(i) + T::HALF) / T::from_u32(self.grid);
+        [middle(samples.index % self.grid), middle(samples.index / self.grid)]
     }
 }
 
@@ -70,25 +88,20 @@ impl<T: Real> Accumulator<T> {
 
     /// Adds a sample and tells whether the pixel is done.
     #[inline]
-    pub(crate) fn add(&mut self, color: Rgb<T>, sampling: &Sampling<T>) -> bool {
-        let (first, contrast) = match *sampling {
-            Sampling::Adaptive { first, contrast, .. } => (first, contrast),
-            // No contrast is small enough to stop early.
-            _ => (0, -T::ONE),
-        };
+    pub(crate) fn add(&mut self, color: Rgb<T>, plan: &Plan<T>) -> bool {
         self.count += 1;
         let mut spread = T::ZERO;
         for (channel, light) in self.channels.iter_mut().zip([color.r, color.g, color.b]) {
             // Huge lights may overflow; a finite pixel is promised. What is not a number would be black, not white.
             let light = light.max(T::ZERO).min(T::MAX);
             channel.sum += light;
-            if self.count <= first {
+            if self.count <= plan.first {
                 channel.darkest = channel.darkest.min(light);
                 channel.brightest = channel.brightest.max(light);
             }
             spread = spread.max(channel.brightest - channel.darkest);
         }
-        (self.count >= first && spread <= contrast) || self.count >= sampling.most()
+        (self.count >= plan.first && spread <= plan.contrast) || self.count >= plan.most
     }
 
     /// The mean of the samples. The sum of some that are finite may not be.

@@ -45,27 +45,27 @@ impl<T: Real> View<T> {
     pub(crate) fn ray<const EFFECTS: u64>(&self, x: T, y: T, lens_sample: impl FnOnce() -> [T; 2]) -> Ray<T> {
         let right = (x - self.center.0) * self.scale;
         let up = (self.center.1 - y) * self.scale;
-        let through = self.forward + self.right * right + self.up * up;
-        match &self.lens {
-            Some(lens) if Effects::from_bits(EFFECTS).has(Effects::LENS) => {
-                let (a, b) = aperture_point(&lens.aperture, lens_sample());
-                let offset = self.right * a + self.up * b;
-                // To the point in focus, in units in which neither part of the way is long.
-                let unit = T::ONE / lens.focus.max(a.abs()).max(b.abs());
-                let towards = through * (lens.focus * unit) - offset * unit;
-                Ray { origin: self.eye + offset, direction: towards.normalized() }
-            }
-            _ => Ray { origin: self.eye, direction: through.normalized() },
+        let (mut origin, mut towards) = (self.eye, self.forward + self.right * right + self.up * up);
+        if let (Some(lens), true) = (&self.lens, Effects::from_bits(EFFECTS).has(Effects::LENS)) {
+            let (a, b) = aperture_point::<T, EFFECTS>(&lens.aperture, lens_sample());
+            let offset = self.right * a + self.up * b;
+            // To the point in focus, in units in which neither part of the way is long.
+            let unit = T::ONE / lens.focus.max(a.abs()).max(b.abs());
+            towards = towards * (lens.focus * unit) - offset * unit;
+            origin += offset;
         }
+        Ray { origin, direction: towards.normalized() }
     }
 }
 
-fn aperture_point<T: Real>(aperture: &Aperture<T>, [s, t]: [T; 2]) -> (T, T) {
+/// A disc that the tracer leaves out is a point.
+fn aperture_point<T: Real, const EFFECTS: u64>(aperture: &Aperture<T>, [s, t]: [T; 2]) -> (T, T) {
     match *aperture {
-        Aperture::Disc { radius } => {
+        Aperture::Disc { radius } if Effects::from_bits(EFFECTS).has(Effects::DISC_APERTURE) => {
             let (x, y) = concentric([s, t]);
             (x * radius, y * radius)
         }
+        Aperture::Disc { .. } => (T::ZERO, T::ZERO),
         Aperture::Square { side } => ((s - T::HALF) * side, (t - T::HALF) * side),
     }
 }

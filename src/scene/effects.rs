@@ -115,6 +115,8 @@ effects! {
     FILM_RADIAL = 45, "film-radial";
     /// [`Balance`](super::Balance)
     BALANCE = 46, "balance";
+    /// [`Aperture::Disc`](super::Aperture::Disc); without it, the opening of a [`LENS`](Self::LENS) is a square.
+    DISC_APERTURE = 47, "disc-aperture";
 }
 
 impl Effects {

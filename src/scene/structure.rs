@@ -1,7 +1,9 @@
 //! What a scene calls for, read off its structure: which variants, `Some` or `None`, never a number. That makes it
 //! constant for every number type.
 
-use super::{Background, Effects, Emitter, Exponent, Film, Fresnel, Interface, Light, Lobe, Material, Medium};
+use super::{
+    Aperture, Background, Effects, Emitter, Exponent, Film, Fresnel, Interface, Light, Lobe, Material, Medium,
+};
 use super::{Object, Pattern, Scene, Shadow, Shape, Sides, Spectrum, Thickness, Tone};
 
 impl<T> Scene<'_, T> {
@@ -15,8 +17,11 @@ impl<T> Scene<'_, T> {
             Background::Gradient { .. } => Effects::BACKGROUND_GRADIENT,
             Background::Sky { .. } => Effects::SKY,
         };
-        if self.camera.lens.is_some() {
-            effects = effects.with(Effects::LENS);
+        if let Some(lens) = &self.camera.lens {
+            effects = effects.with(Effects::LENS).with(match lens.aperture {
+                Aperture::Disc { .. } => Effects::DISC_APERTURE,
+                Aperture::Square { .. } => Effects::NONE,
+            });
         }
         if matches!(self.tone, Tone::Display { .. }) {
             effects = effects.with(Effects::DISPLAY_TONE);

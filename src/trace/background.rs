@@ -13,7 +13,11 @@ pub(super) fn background<T: Real, const EFFECTS: u64>(scene: &Scene<'_, T>, dire
             let height = (T::ONE + direction.dot(up)) * T::HALF;
             below.mix(above, height.max(T::ZERO).min(T::ONE))
         }
-        Background::Sky { horizon, up } if effects.has(Effects::SKY) => horizon * (T::ONE - direction.dot(up)).powi(4),
+        Background::Sky { horizon, up } if effects.has(Effects::SKY) => {
+            let dark = T::ONE - direction.dot(up);
+            let square = dark * dark;
+            horizon * (square * square)
+        }
         _ => Rgb::BLACK,
     }
 }

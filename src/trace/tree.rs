@@ -152,7 +152,7 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             branch.throughput = branch.throughput * branch.media.transmittance(scene, distance);
         }
         let Some(hit) = hit else {
-            self.gathered += branch.throughput * background::<T, EFFECTS>(scene, branch.ray.direction);
+            self.gathered.gather(branch.throughput, background::<T, EFFECTS>(scene, branch.ray.direction));
             return;
         };
         let surface = hit.surface::<EFFECTS>(&branch.ray).facing(hit.contact.front());
@@ -293,6 +293,6 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             Termination::Black => return,
             Termination::Color(color) => color,
         };
-        self.gathered += branch.throughput * color;
+        self.gathered.gather(branch.throughput, color);
     }
 }
