@@ -154,76 +154,34 @@ impl<T: Real> Shape<'_, T> {
     /// Part `index` as a shape of its own, in another number type: the only part of most shapes, or one primitive of
     /// a slice. `None` past the end.
     pub(crate) fn part<U: Real>(&self, index: usize, convert: impl Fn(T) -> U) -> Option<Shape<'static, U>> {
+        let point = |v: Vec3<T>| v.map(&convert);
+        let sphere = |s: &Sphere<T>| Shape::sphere(point(s.center), convert(s.radius));
+        let triangle = |t: &Triangle<T>| Shape::Triangle(Triangle { vertices: t.vertices.map(point) });
         match self {
-            Self::Spheres(list) => return list.sphere(index).map(|s| Shape::Sphere(s.map(convert))),
-            Self::Triangles(list) => return list.get(index).map(|t| Shape::Triangle(t.map(convert))),
+            Self::Spheres(list) => {
+                return list.sphere(index).map(|s| sphere(&s));
+            }
+            Self::Triangles(list) => return list.get(index).map(triangle),
             _ if index > 0 => return None,
             _ => {}
         }
         Some(match self {
             Self::Spheres(_) | Self::Triangles(_) => return None,
-            Self::Sphere(s) => Shape::Sphere(s.map(convert)),
-            Self::Triangle(t) => Shape::Triangle(t.map(convert)),
-            Self::Plane(p) => Shape::Plane(p.map(convert)),
-            Self::Disc(d) => Shape::Disc(d.map(convert)),
-            Self::Box(b) => Shape::Box(b.map(convert)),
-            Self::SmoothTriangle(t) => Shape::SmoothTriangle(t.map(convert)),
-            Self::Cone(c) => Shape::Cone(c.map(convert)),
+            Self::Sphere(s) => sphere(s),
+            Self::Triangle(t) => triangle(t),
+            Self::Plane(p) => Shape::plane(point(p.point), point(p.normal)),
+            Self::Disc(d) => Shape::disc(point(d.center), point(d.normal), convert(d.radius)),
+            Self::Box(b) => Shape::axis_box(point(b.min), point(b.max)),
+            Self::SmoothTriangle(t) => {
+                Shape::SmoothTriangle(SmoothTriangle { vertices: t.vertices.map(point), normals: t.normals.map(point) })
+            }
+            Self::Cone(c) => Shape::Cone(Cone {
+                base: point(c.base),
+                apex: point(c.apex),
+                base_radius: convert(c.base_radius),
+                apex_radius: convert(c.apex_radius),
+                capped: c.capped,
+            }),
         })
-    }
-}
-
-impl<T: Real> Sphere<T> {
-    /// The same sphere in another number type.
-    pub(super) fn map<U: Real>(&self, f: impl Fn(T) -> U) -> Sphere<U> {
-        Sphere { center: self.center.map(&f), radius: f(self.radius) }
-    }
-}
-
-impl<T: Real> Plane<T> {
-    /// The same plane in another number type.
-    pub(super) fn map<U: Real>(&self, f: impl Fn(T) -> U) -> Plane<U> {
-        Plane { point: self.point.map(&f), normal: self.normal.map(&f) }
-    }
-}
-
-impl<T: Real> Disc<T> {
-    /// The same disc in another number type.
-    pub(super) fn map<U: Real>(&self, f: impl Fn(T) -> U) -> Disc<U> {
-        Disc { center: self.center.map(&f), normal: self.normal.map(&f), radius: f(self.radius) }
-    }
-}
-
-impl<T: Real> AxisBox<T> {
-    /// The same box in another number type.
-    pub(super) fn map<U: Real>(&self, f: impl Fn(T) -> U) -> AxisBox<U> {
-        AxisBox { min: self.min.map(&f), max: self.max.map(&f) }
-    }
-}
-
-impl<T: Real> Triangle<T> {
-    /// The same triangle in another number type.
-    pub(super) fn map<U: Real>(&self, f: impl Fn(T) -> U) -> Triangle<U> {
-        Triangle { vertices: self.vertices.map(|v| v.map(&f)) }
-    }
-}
-
-impl<T: Real> SmoothTriangle<T> {
-    /// The same triangle in another number type.
-    pub(super) fn map<U: Real>(&self, f: impl Fn(T) -> U) -> SmoothTriangle<U> {
-        SmoothTriangle { vertices: self.vertices.map(|v| v.map(&f)), normals: self.normals.map(|v| v.map(&f)) }
-    }
-}
-
-impl<T: Real> Cone<T> {
-    /// The same cone in another number type.
-    pub(super) fn map<U: Real>(&self, f: impl Fn(T) -> U) -> Cone<U> {
-        Cone {
-            base: self.base.map(&f),
-            apex: self.apex.map(&f),
-            base_radius: f(self.base_radius),
-            apex_radius: f(self.apex_radius),
-            capped: self.capped,
-        }
     }
 }

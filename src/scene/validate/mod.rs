@@ -75,7 +75,11 @@ impl<T: Real> Scene<'_, T> {
         in_f32(&self.medium, |medium| medium.map(T::to_f32), check_surrounding).map_err(at(Place::Scene))?;
         check_count(self.objects.len()).map_err(at(Place::Scene))?;
         for (i, object) in self.objects.iter().enumerate() {
-            object.shape.validate().map_err(at(Place::Object(i)))?;
+            let mut index = 0;
+            while let Some(part) = object.shape.part(index, T::to_f32) {
+                part.check().map_err(at(Place::Object(i)))?;
+                index += 1;
+            }
             let looks = |material: &_| check_looks(material, object.shadow);
             in_f32(&object.material, |material| material.map(T::to_f32), looks).map_err(at(Place::Object(i)))?;
         }
