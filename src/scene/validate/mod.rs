@@ -3,8 +3,6 @@
 //! The checks are `const fn`s over `f32`, so that a constant scene is checked by the compiler; scenes in other number
 //! types are converted, primitive by primitive, and checked by the same code.
 
-use core::any::Any;
-
 mod camera;
 mod error;
 mod material;
@@ -13,7 +11,7 @@ mod shape;
 
 pub use error::{Place, SceneError};
 
-use super::{Background, Camera, Light, Material, Medium, Object, Scene, Shadow, Tone};
+use super::{Background, Material, Medium, Object, Scene, Shadow, Tone};
 use crate::math::Real;
 use material::attenuation;
 pub(super) use number::color;
@@ -31,7 +29,10 @@ impl Scene<'_, f32> {
         if let Err((field, expected)) = self.camera.check() {
             return Err(SceneError { place: Place::Camera, field, expected });
         }
-        if let Err((field, expected)) = self.check_whole() {
+        if let Err((field, expected)) = check_surroundings(&self.background, &self.tone, &self.medium) {
+            return Err(SceneError { place: Place::Scene, field, expected });
+        }
+        if let Err((field, expected)) = check_count(self.objects.len()) {
             return Err(SceneError { place: Place::Scene, field, expected });
         }
         let mut i = 0;
@@ -52,16 +53,6 @@ impl Scene<'_, f32> {
     }
 }
 
-impl Scene<'_, f32> {
-    /// What belongs to no object and no light, nor to the camera.
-    const fn check_whole(&self) -> Result<(), Fault> {
-        ensure!(check_background(&self.background));
-        ensure!(check_tone(&self.tone));
-        ensure!(check_surrounding(&self.medium));
-        check_count(self.objects.len())
-    }
-}
-
 impl<T: Real> Scene<'_, T> {
     /// Checks every number of the scene.
     ///
@@ -69,10 +60,9 @@ impl<T: Real> Scene<'_, T> {
     /// The first field that is out of its range.
     pub fn validate(&self) -> Result<(), SceneError> {
         let at = |place| move |(field, expected): Fault| SceneError { place, field, expected };
-        in_f32(&self.camera, |camera| camera.map(T::to_f32), Camera::check).map_err(at(Place::Camera))?;
-        in_f32(&self.background, |background| background.map(T::to_f32), check_background).map_err(at(Place::Scene))?;
-        in_f32(&self.tone, |tone| tone.map(T::to_f32), check_tone).map_err(at(Place::Scene))?;
-        in_f32(&self.medium, |medium| medium.map(T::to_f32), check_surrounding).map_err(at(Place::Scene))?;
+        self.camera.map(T::to_f32).check().map_err(at(Place::Camera))?;
+        let (background, tone) = (self.background.map(T::to_f32), self.tone.map(T::to_f32));
+        check_surroundings(&background, &tone, &self.medium.map(T::to_f32)).map_err(at(Place::Scene))?;
         check_count(self.objects.len()).map_err(at(Place::Scene))?;
         for (i, object) in self.objects.iter().enumerate() {
             let mut index = 0;
@@ -80,26 +70,12 @@ impl<T: Real> Scene<'_, T> {
                 part.check().map_err(at(Place::Object(i)))?;
                 index += 1;
             }
-            let looks = |material: &_| check_looks(material, object.shadow);
-            in_f32(&object.material, |material| material.map(T::to_f32), looks).map_err(at(Place::Object(i)))?;
+            check_looks(&object.material.map(T::to_f32), object.shadow).map_err(at(Place::Object(i)))?;
         }
         for (i, light) in self.lights.iter().enumerate() {
-            in_f32(light, |light| light.map(T::to_f32), Light::check).map_err(at(Place::Light(i)))?;
+            light.map(T::to_f32).check().map_err(at(Place::Light(i)))?;
         }
         Ok(())
-    }
-}
-
-/// Checks a value in `f32`: itself where it is one, so that a program that has no other number type holds no conversion.
-#[inline]
-fn in_f32<A: Any, B: Any>(
-    value: &A,
-    convert: impl Fn(&A) -> B,
-    check: impl Fn(&B) -> Result<(), Fault>,
-) -> Result<(), Fault> {
-    match (value as &dyn Any).downcast_ref() {
-        Some(value) => check(value),
-        None => check(&convert(value)),
     }
 }
 
@@ -108,31 +84,23 @@ const fn check_count(objects: usize) -> Result<(), Fault> {
     check(objects < u16::MAX as usize, "objects", "at most 65534 objects")
 }
 
-const fn check_background(background: &Background<f32>) -> Result<(), Fault> {
+const fn check_surroundings(background: &Background<f32>, tone: &Tone<f32>, medium: &Medium<f32>) -> Result<(), Fault> {
     match *background {
-        Background::Solid(c) => color(c, "background"),
+        Background::Solid(c) => ensure!(color(c, "background")),
         Background::Gradient { below, above, up } => {
             ensure!(color(below, "background.below"));
             ensure!(color(above, "background.above"));
-            unit(up, "background.up")
+            ensure!(unit(up, "background.up"));
         }
         Background::Sky { horizon, up } => {
             ensure!(color(horizon, "background.horizon"));
-            unit(up, "background.up")
+            ensure!(unit(up, "background.up"));
         }
     }
-}
-
-const fn check_tone(tone: &Tone<f32>) -> Result<(), Fault> {
     if let Tone::Display { gain, lift } = *tone {
         ensure!(amount(gain, "tone.gain"));
         ensure!(length(lift, "tone.lift"));
     }
-    Ok(())
-}
-
-/// The medium around the objects.
-const fn check_surrounding(medium: &Medium<f32>) -> Result<(), Fault> {
     ensure!(refraction(&medium.index, "medium.index"));
     attenuation(&medium.attenuation, "medium.attenuation")
 }
