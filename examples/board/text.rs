@@ -22,13 +22,12 @@ impl fmt::Write for Console {
 
 /// Prints a number in decimal.
 pub fn print_number(number: u64) {
-    let mut text = [0; POWERS_OF_TEN.len()];
+    let mut text = [b'0'; POWERS_OF_TEN.len()];
     let mut rest = number;
     let mut first = POWERS_OF_TEN.len() - 1;
-    for (place, (digit, power)) in text.iter_mut().zip(POWERS_OF_TEN).enumerate() {
-        *digit = b'0';
-        while rest >= power {
-            rest -= power;
+    for (place, (digit, power)) in text.iter_mut().zip(&POWERS_OF_TEN).enumerate() {
+        while rest >= *power {
+            rest -= *power;
             *digit += 1;
             first = first.min(place);
         }

@@ -32,7 +32,7 @@ type PictureFile = Picture<{ SIZE[0] as usize }, { SIZE[1] }, { matches!(SCENE.t
 
 /// Variables, so that the linker says how much memory is needed.
 static mut FRAME: MaybeUninit<Drawn> = MaybeUninit::uninit();
-static mut ROW: MaybeUninit<PixelRow> = MaybeUninit::uninit();
+static mut ROW: PixelRow = PixelRow::new();
 
 fn render() -> Outcome {
     print("scene ");
@@ -45,7 +45,6 @@ fn render() -> Outcome {
     let (frame, row) = unsafe { (&mut *frame, &mut *row) };
     let frame =
         frame.write(Frame::new(&tracer, settings).map_err(|_| "WHIT_SIZE: expected 1 to 1048576 pixels a side")?);
-    let row = row.write(PixelRow::new());
     let mut picture = PictureFile::create()?;
 
     let clock = Clock::start();

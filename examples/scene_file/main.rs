@@ -38,7 +38,7 @@ board::start!(render);
 /// Variables, so that the linker says how much memory is needed.
 static mut TEXT: [u8; 640] = [0; 640];
 static mut STORED: MaybeUninit<Stored> = MaybeUninit::uninit();
-static mut ROW: MaybeUninit<PixelRow> = MaybeUninit::uninit();
+static mut ROW: PixelRow = PixelRow::new();
 
 fn render() -> Outcome {
     let (text, stored, row) = (&raw mut TEXT, &raw mut STORED, &raw mut ROW);
@@ -47,7 +47,6 @@ fn render() -> Outcome {
     let stack = paint_stack();
     let stored = stored.write(Stored::new(ANY_CAMERA, Background::Solid(Rgb::BLACK)));
     let summary = load(text, stored)?;
-    let row = row.write(PixelRow::new());
     draw(&stored.as_scene(), row)?;
 
     print("objects ");
