@@ -1,7 +1,7 @@
 //! Renders a scene that a board reads from a file, in 16 KiB of RAM. What is wrong in the file, or does not fit, is an error
 //! that says where.
 //!
-//!     cp tests/data/nff/balls_s1.nff target/scene.nff
+//!     cp examples/scene_file/scene.nff target/
 //!     cargo run --release --example scene_file --target thumbv7em-none-eabihf
 //!
 //! The picture is `target/firmware.ppm`; the format of the file is Neutral File Format (`whit::scene::nff`).
@@ -28,7 +28,7 @@ const HEIGHT: u32 = 72;
 const DEPTH: usize = 5;
 
 /// Room for a scene.
-type Stored = SceneBuf<f32, 12, 3>;
+type Stored = SceneBuf<f32, 8, 2>;
 type FileTracer<'a> = Tracer<'a, f32, { nff::EFFECTS.bits() }, DEPTH>;
 type PixelRow = picture::Row<WIDTH, HEIGHT, true>;
 type PictureFile = picture::Picture<WIDTH, HEIGHT, true>;
@@ -36,7 +36,7 @@ type PictureFile = picture::Picture<WIDTH, HEIGHT, true>;
 board::start!(render);
 
 /// Variables, so that the linker says how much memory is needed.
-static mut TEXT: [u8; 640] = [0; 640];
+static mut TEXT: [u8; 512] = [0; 512];
 static mut STORED: MaybeUninit<Stored> = MaybeUninit::uninit();
 static mut ROW: PixelRow = PixelRow::new();
 

@@ -60,7 +60,7 @@ pub fn page(measures: &[Measure], compiler: &str) -> String {
          together, the compiler notes the size of\nthe stack frame of {agreed} functions, and each is what the code says. \
          For {decoded}, which come compiled with the toolchain or\nare written in assembler (arithmetic, `memcpy`), there \
          is only the code.\n\n\
-         The ray tree is in the frame, so how deep it may be does not matter for the stack: between 0 and 64 bounces, \
+         The ray tree is in the frame, so how deep it may be does not matter for the stack: between 1 and 64 bounces, \
          frames\ndiffer by {} bytes, and stacks by {}, which is how the compiler lays them out.\n",
         spread(measures, |measure| measure.frame),
         spread(measures, |measure| u64::from(measure.stack)),

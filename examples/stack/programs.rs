@@ -14,7 +14,7 @@ pub struct Program {
 
 /// The bounces of most programs, and others to show that they do not matter.
 const BOUNCES: usize = 5;
-const OTHER_BOUNCES: [usize; 2] = [0, 64];
+const OTHER_BOUNCES: [usize; 2] = [1, 64];
 
 /// All programs: every built-in scene, and one for scenes that are known only at run time, which has all effects.
 pub fn all() -> Vec<Program> {

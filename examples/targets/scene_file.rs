@@ -12,16 +12,16 @@ const TOO_LARGE: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\n
 
 /// Fails where the picture differs, or an error is not told.
 pub fn check() -> Result<(), String> {
-    let balls = read(PathBuf::from(ROOT).join("tests/data/nff/balls_s1.nff"))?;
-    let here = run(&mut on_this_machine(&balls)?)?;
-    let there = run(&mut on_board(&balls)?)?;
+    let scene = read(PathBuf::from(ROOT).join("examples/scene_file/scene.nff"))?;
+    let here = run(&mut on_this_machine(&scene)?)?;
+    let there = run(&mut on_board(&scene)?)?;
     if !there.starts_with(&here) {
         return Err(format!("scene_file on {TARGET} printed\n{there}and here\n{here}"));
     }
-    refused(&mut on_board(&balls.replace("angle", "angel"))?, "target/scene.nff: line")?;
-    let spheres = format!("{TOO_LARGE}{}", "s 0 0 0 1\n".repeat(13));
-    refused(&mut on_board(&spheres)?, "line 21: 13 objects, but there is room for 12")?;
-    refused(&mut on_board(&" ".repeat(641))?, "the file is larger than the memory for it")
+    refused(&mut on_board(&scene.replace("angle", "angel"))?, "target/scene.nff: line 5: ")?;
+    let spheres = format!("{TOO_LARGE}{}", "s 0 0 0 1\n".repeat(9));
+    refused(&mut on_board(&spheres)?, "line 17: 9 objects, but there is room for 8")?;
+    refused(&mut on_board(&" ".repeat(513))?, "the file is larger than the memory for it")
 }
 
 fn read(file: PathBuf) -> Result<String, String> {
