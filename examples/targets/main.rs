@@ -124,8 +124,9 @@ fn write(page: &Path, measures: &[Measure]) -> Result<(), String> {
 
 fn compare(page: &Path, measures: &[Measure]) -> Result<(), String> {
     let text = std::fs::read_to_string(page).map_err(|error| format!("{}: {error}", page.display()))?;
-    println!("{}", compiler()?);
-    let problems = page::compare(&text, measures);
+    let compiler = compiler()?;
+    println!("{compiler}");
+    let problems = page::compare(&text, measures, &compiler);
     if problems.is_empty() {
         println!("no figure is larger than {} says", page.display());
         return Ok(());
