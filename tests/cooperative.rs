@@ -24,7 +24,7 @@ const QEMU: &str = "qemu-system-arm";
 const TICK: u64 = 5;
 /// What is allowed for one ray of `showcase`, which tests 6 objects and shades at most one surface: about twice what the
 /// longest takes, so that it is the kind of work that is tested and not the compiler.
-const LONGEST_RAY: u64 = 6000;
+const LONGEST_RAY: u64 = 4400;
 
 /// A line of the table.
 #[derive(Debug)]
