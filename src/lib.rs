@@ -36,9 +36,9 @@
 //! |---|---|
 //! | [`math`] | the scalar trait [`Real`], vectors, colours |
 //! | [`optics`] | pure functions: reflection, refraction, Fresnel, attenuation, thin films, dispersion; [`materials`](optics::materials) |
-//! | [`scene`] | what a user describes: camera, shapes, materials, media, lights, background; [`Effects`]; files |
+//! | [`scene`] | what a user describes: camera, shapes, materials, media and their profiles, lights, background; [`Effects`]; files |
 //! | `intersect` | rays against shapes, error-bounded surface points |
-//! | `path` | how light gets to the next surface |
+//! | `path` | how light gets to the next surface: straight, bent by a medium, bent by a black hole |
 //! | [`trace`] | the ray tree, its [`Budget`], shading, observers |
 //! | [`render`] | camera samples, scanlines, the resumable [`Frame`], framebuffers |
 //!
@@ -54,6 +54,8 @@
 //! - The outside of a shape is where its normal points. Where a ray goes in, the medium changes from what is outside to
 //!   the material's; where transparent objects overlap, to the one of the highest [priority](scene::Medium::priority).
 //! - Thicknesses of films and wavelengths are in nanometres, whatever the scene unit; attenuation is in 1/scene unit.
+//! - Light is bent where a medium names a [`Profile`](scene::Profile), or around a [`BlackHole`](scene::BlackHole); all rays
+//!   but those to lights are, and these too if the scene says so ([`ShadowRays`](scene::ShadowRays)).
 //! - Every random-looking number is a function of pixel, sample and dimension ([`trace::Sequence`]); nothing depends on
 //!   the order of work.
 //!
@@ -90,7 +92,7 @@ pub mod render;
 pub mod scene;
 pub mod trace;
 
-pub use intersect::{Intersection, Ray};
+pub use intersect::{Destination, Intersection, Ray};
 pub use math::{Real, Rgb, Vec3};
 pub use render::{Frame, Framebuffer, Settings};
 pub use scene::{

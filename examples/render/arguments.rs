@@ -39,6 +39,9 @@ pub struct Arguments {
     /// Rays a pixel may take, shadow rays included.
     #[arg(long, value_name = "N", default_value_t = u32::MAX, hide_default_value = true)]
     rays_per_pixel: u32,
+    /// Steps a bent ray may take to its next surface.
+    #[arg(long, value_name = "N", default_value_t = Budget::<f32>::with_depth(0).steps_per_ray)]
+    steps: u16,
     /// What a cut branch shows: background, black, or R,G,B.
     #[arg(long, value_name = "COLOR", default_value = "background", value_parser = parse_termination)]
     termination: Termination<f32>,
@@ -77,6 +80,7 @@ impl Arguments {
             depth: self.depth,
             cutoff: self.cutoff,
             rays_per_pixel: self.rays_per_pixel,
+            steps_per_ray: self.steps,
             termination: self.termination,
         };
         let settings = Settings { rows, sampling, budget, ..Settings::new(size.width, size.height) };

@@ -111,6 +111,9 @@ pub fn stats_as_json(stats: &Stats, seconds: f64) -> serde_json::Value {
         "cut_by_cutoff": stats.cut_by_cutoff,
         "cut_by_budget": stats.cut_by_budget,
         "cut_by_passing": stats.cut_by_passing,
+        "steps": stats.steps,
+        "captured": stats.captured,
+        "cut_by_steps": stats.cut_by_steps,
         "seconds": seconds,
         "ns_per_ray": seconds * 1e9 / stats.rays() as f64,
     })

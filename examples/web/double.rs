@@ -23,7 +23,7 @@ type Number = f64;
 /// A built-in scene in that number type. The page must hold no frame of the one before.
 #[allow(unsafe_code)] // Static memory with one user: see `memory`.
 fn converted(scene: Scene<'static, f32>) -> Option<Scene<'static, Number>> {
-    static BUFFER: Alone<MaybeUninit<SceneBuf<Number, 128, 8>>> = Alone::new(MaybeUninit::uninit());
+    static BUFFER: Alone<MaybeUninit<SceneBuf<Number, 128, 8, 4>>> = Alone::new(MaybeUninit::uninit());
     let copy = SceneBuf::from_scene(&scene, Number::from_f32).ok()?;
     let buffer: &'static _ = unsafe { BUFFER.get() }.write(copy);
     Some(buffer.as_scene())

@@ -34,6 +34,7 @@ fn scene<'m>(error: &SceneError, message: &'m mut Message) -> &'m mut Message {
         Place::Scene => message.set("scene"),
         Place::Object(i) => message.set("object ").number(i),
         Place::Light(i) => message.set("light ").number(i),
+        Place::Profile(i) => message.set("profile ").number(i),
     };
     message.text(": ").text(error.field).text(": expected ").text(error.expected)
 }

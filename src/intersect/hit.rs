@@ -54,6 +54,7 @@ impl<T: Real> Hit<'_, T> {
         match &self.object.shape {
             Shape::Plane(p) if has::<EFFECTS>(Effects::PLANE) => (p.point, p.normal),
             Shape::Disc(d) if has::<EFFECTS>(Effects::DISC) => (d.center, d.normal),
+            Shape::Annulus(a) if has::<EFFECTS>(Effects::ANNULUS) => (a.center, a.normal),
             Shape::Cone(c) if has::<EFFECTS>(Effects::CONE) => cone::cap(c, &self.contact),
             _ => (ray.origin, ray.direction),
         }

@@ -10,8 +10,10 @@ pub struct Intersection<T> {
     pub object: usize,
     /// Which primitive of the object, where its shape is a list; else 0.
     pub primitive: usize,
-    /// Distance along the ray, in scene units.
+    /// Distance along the ray, in scene units; along the path, where light is bent.
     pub distance: T,
+    /// Where the ray goes there, a unit vector: its own direction, where light is not bent.
+    pub direction: Vec3<T>,
     /// The point, brought back onto the surface.
     pub point: Vec3<T>,
     /// Unit geometric normal, on the outside.
@@ -22,6 +24,19 @@ pub struct Intersection<T> {
     pub offset: Vec3<T>,
 }
 
+/// Where light goes that starts as a ray.
+#[derive(Clone, Copy, Debug)]
+pub enum Destination<T> {
+    /// To a surface.
+    Surface(Intersection<T>),
+    /// Past everything, at last in this direction, a unit vector.
+    Away(Vec3<T>),
+    /// Into a black hole.
+    Captured,
+    /// It is not known: it took all of its steps.
+    OutOfSteps,
+}
+
 impl<T: Real> Intersection<T> {
     pub(crate) fn new<const EFFECTS: u64>(hit: &Hit<'_, T>, object: usize, ray: &Ray<T>) -> Self {
         let Surface { point, normal, offset, .. } = hit.surface::<EFFECTS>(ray);
@@ -29,6 +44,7 @@ impl<T: Real> Intersection<T> {
             object,
             primitive: hit.primitive,
             distance: hit.contact.t,
+            direction: ray.direction,
             point,
             normal,
             from_outside: hit.contact.front(),

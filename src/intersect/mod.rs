@@ -1,6 +1,7 @@
 //! Rays against shapes: contacts, error-bounded surface points, and the search through all objects.
 
 mod axis_box;
+mod bounds;
 mod cone;
 mod hit;
 mod intersection;
@@ -12,8 +13,9 @@ mod spheres;
 mod surface;
 mod triangle;
 
+pub(crate) use bounds::{Bounds, clearance, may_meet};
 pub(crate) use hit::Hit;
-pub use intersection::Intersection;
+pub use intersection::{Destination, Intersection};
 pub(crate) use ray::Contact;
 pub use ray::Ray;
 pub(crate) use search::{Wanted, encloses, meets, search};

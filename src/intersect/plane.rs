@@ -2,7 +2,7 @@
 
 use super::{Contact, Located, Ray};
 use crate::math::{Real, Vec3};
-use crate::scene::{Disc, Plane};
+use crate::scene::{Annulus, Disc, Plane};
 
 /// The contact nearer than `limit`, if it may be seen. A ray along the plane does not meet it.
 #[inline]
@@ -41,6 +41,20 @@ pub(crate) fn intersect_disc<T: Real>(
     let contact = intersect(&plane_of(disc), ray, limit, outside_only)?;
     let from_center = ray.at(contact.t) - disc.center;
     (from_center.length_squared() <= disc.radius * disc.radius).then_some(contact)
+}
+
+/// The contact with a disc that has a hole.
+#[inline]
+pub(crate) fn intersect_annulus<T: Real>(
+    annulus: &Annulus<T>,
+    ray: &Ray<T>,
+    limit: T,
+    outside_only: bool,
+) -> Option<Contact<T>> {
+    let plane = Plane { point: annulus.center, normal: annulus.normal };
+    let contact = intersect(&plane, ray, limit, outside_only)?;
+    let square = (ray.at(contact.t) - annulus.center).length_squared();
+    (square >= annulus.inner * annulus.inner && square <= annulus.outer * annulus.outer).then_some(contact)
 }
 
 fn plane_of<T: Real>(disc: &Disc<T>) -> Plane<T> {

@@ -69,7 +69,7 @@ pub(crate) fn encloses<T: Real, const EFFECTS: u64>(object: &Object<'_, T>, ray:
             let height = (ray.origin - plane.point).dot(plane.normal);
             height < T::ZERO || (height == T::ZERO && ray.direction.dot(plane.normal) < T::ZERO)
         }
-        Shape::Disc(_) | Shape::Triangle(_) | Shape::SmoothTriangle(_) => false,
+        Shape::Disc(_) | Shape::Annulus(_) | Shape::Triangle(_) | Shape::SmoothTriangle(_) => false,
         // Turned inside out, it encloses all the rest of space.
         Shape::Sphere(s) if s.radius < T::ZERO => (ray.origin - s.center).length() > -s.radius,
         _ => meets::<T, EFFECTS>(object, ray, T::MAX) == Some(false),
@@ -106,6 +106,9 @@ impl<'r, T: Real, const EFFECTS: u64> Search<'r, T, EFFECTS> {
             Shape::Sphere(s) if has::<EFFECTS>(Effects::SPHERE) => sphere::intersect(s, ray, limit, outside_only),
             Shape::Plane(p) if has::<EFFECTS>(Effects::PLANE) => plane::intersect(p, ray, limit, outside_only),
             Shape::Disc(d) if has::<EFFECTS>(Effects::DISC) => plane::intersect_disc(d, ray, limit, outside_only),
+            Shape::Annulus(a) if has::<EFFECTS>(Effects::ANNULUS) => {
+                plane::intersect_annulus(a, ray, limit, outside_only)
+            }
             Shape::Box(b) if has::<EFFECTS>(Effects::BOX) => axis_box::intersect(b, ray, limit, outside_only),
             Shape::Cone(c) if has::<EFFECTS>(Effects::CONE) => cone::intersect(c, ray, limit, outside_only),
             Shape::Spheres(list) if has::<EFFECTS>(Effects::SPHERES) => {

@@ -24,6 +24,18 @@ pub enum Background<T> {
         /// Unit vector.
         up: Vec3<T>,
     },
+    /// Stars on an even sky, the same at each run: the six faces of a cube are cut into cells, and about half of them hold
+    /// a star.
+    Stars {
+        /// Between the stars.
+        sky: Rgb<T>,
+        /// Of the brightest star, in its middle.
+        brightness: T,
+        /// Cells along the edge of a face, 90° of the sky; at least 1.
+        cells: u16,
+        /// Radius of a star as a share of its cell, above 0 and at most 1/2. It fades towards its rim.
+        radius: T,
+    },
 }
 
 impl<T: Real> Background<T> {
@@ -35,6 +47,9 @@ impl<T: Real> Background<T> {
                 Background::Gradient { below: below.map(&f), above: above.map(&f), up: up.map(&f) }
             }
             Self::Sky { horizon, up } => Background::Sky { horizon: horizon.map(&f), up: up.map(&f) },
+            Self::Stars { sky, brightness, cells, radius } => {
+                Background::Stars { sky: sky.map(&f), brightness: f(brightness), cells, radius: f(radius) }
+            }
         }
     }
 }

@@ -4,10 +4,10 @@ use core::fmt;
 
 use heapless::Vec;
 
-use super::{Background, Camera, Fresnel, Light, Medium, Object, Scene, Tone};
+use super::{Background, BlackHole, Camera, Fresnel, Light, Medium, Object, Profile, Scene, ShadowRays, Tone};
 use crate::math::Real;
 
-/// A scene with room for `OBJECTS` objects and `LIGHTS` lights.
+/// A scene with room for `OBJECTS` objects, `LIGHTS` lights and `PROFILES` profiles of media.
 ///
 /// ```
 /// use whit::{Background, Camera, Light, Material, Object, Rgb, SceneBuf, Shape, Vec3};
@@ -22,7 +22,7 @@ use crate::math::Real;
 /// # Ok::<(), whit::scene::Full>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct SceneBuf<T: 'static, const OBJECTS: usize, const LIGHTS: usize> {
+pub struct SceneBuf<T: 'static, const OBJECTS: usize, const LIGHTS: usize, const PROFILES: usize = 0> {
     /// The eye.
     pub camera: Camera<T>,
     /// What rays see that meet nothing.
@@ -33,8 +33,13 @@ pub struct SceneBuf<T: 'static, const OBJECTS: usize, const LIGHTS: usize> {
     pub fresnel: Fresnel,
     /// From light to the values of pixels.
     pub tone: Tone<T>,
+    /// A black hole.
+    pub black_hole: Option<BlackHole<T>>,
+    /// How shadow rays go where light is bent.
+    pub shadow_rays: ShadowRays,
     objects: Vec<Object<'static, T>, OBJECTS>,
     lights: Vec<Light<T>, LIGHTS>,
+    profiles: Vec<Profile<'static, T>, PROFILES>,
 }
 
 /// There is no room left.
@@ -75,7 +80,9 @@ pub trait SceneStore {
     fn add_light(&mut self, light: Light<f32>) -> Result<(), Full>;
 }
 
-impl<const OBJECTS: usize, const LIGHTS: usize> SceneStore for SceneBuf<f32, OBJECTS, LIGHTS> {
+impl<const OBJECTS: usize, const LIGHTS: usize, const PROFILES: usize> SceneStore
+    for SceneBuf<f32, OBJECTS, LIGHTS, PROFILES>
+{
     fn room(&self) -> (usize, usize) {
         (OBJECTS, LIGHTS)
     }
@@ -93,7 +100,7 @@ impl<const OBJECTS: usize, const LIGHTS: usize> SceneStore for SceneBuf<f32, OBJ
     }
 }
 
-impl<T: Real, const OBJECTS: usize, const LIGHTS: usize> SceneBuf<T, OBJECTS, LIGHTS> {
+impl<T: Real, const OBJECTS: usize, const LIGHTS: usize, const PROFILES: usize> SceneBuf<T, OBJECTS, LIGHTS, PROFILES> {
     /// An empty scene in a vacuum.
     pub const fn new(camera: Camera<T>, background: Background<T>) -> Self {
         Self {
@@ -102,20 +109,29 @@ impl<T: Real, const OBJECTS: usize, const LIGHTS: usize> SceneBuf<T, OBJECTS, LI
             medium: Medium::VACUUM,
             fresnel: Fresnel::Exact,
             tone: Tone::Linear,
+            black_hole: None,
+            shadow_rays: ShadowRays::Straight,
             objects: Vec::new(),
             lights: Vec::new(),
+            profiles: Vec::new(),
         }
     }
 
     /// A copy of a scene in another number type, each primitive of a slice an object of its own.
     ///
     /// # Errors
-    /// [`Full`] when the scene has more primitives or lights than there is room for.
+    /// [`Full`] when the scene has more primitives, lights or profiles than there is room for, or a profile that is a table.
     pub fn from_scene<U: Real>(scene: &Scene<'_, U>, convert: impl Fn(U) -> T) -> Result<Self, Full> {
         let mut buffer = Self::new(scene.camera.map(&convert), scene.background.map(&convert));
         buffer.medium = scene.medium.map(&convert);
         buffer.fresnel = scene.fresnel;
         buffer.tone = scene.tone.map(&convert);
+        buffer.black_hole = scene.black_hole.map(|hole| hole.map(&convert));
+        buffer.shadow_rays = scene.shadow_rays;
+        for profile in scene.profiles {
+            let table = Full { what: "table in another number type", capacity: 0 };
+            buffer.add_profile(profile.map(&convert).ok_or(table)?)?;
+        }
         for object in scene.objects {
             let mut index = 0;
             while let Some(part) = object.part(index, &convert) {
@@ -145,8 +161,17 @@ impl<T: Real, const OBJECTS: usize, const LIGHTS: usize> SceneBuf<T, OBJECTS, LI
         self.lights.push(light).map_err(|_| Full { what: "light", capacity: LIGHTS })
     }
 
-    /// Takes all objects and lights out.
+    /// Adds a profile, whose number is how many there were before.
+    ///
+    /// # Errors
+    /// [`Full`]; the buffer is as before.
+    pub fn add_profile(&mut self, profile: Profile<'static, T>) -> Result<(), Full> {
+        self.profiles.push(profile).map_err(|_| Full { what: "profile", capacity: PROFILES })
+    }
+
+    /// Takes all objects, lights and profiles out.
     pub fn clear(&mut self) {
+        self.profiles.clear();
         self.objects.clear();
         self.lights.clear();
     }
@@ -174,6 +199,9 @@ impl<T: Real, const OBJECTS: usize, const LIGHTS: usize> SceneBuf<T, OBJECTS, LI
             objects: &self.objects,
             lights: &self.lights,
             tone: self.tone,
+            profiles: &self.profiles,
+            black_hole: self.black_hole,
+            shadow_rays: self.shadow_rays,
         }
     }
 }

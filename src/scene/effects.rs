@@ -117,9 +117,41 @@ effects! {
     BALANCE = 46, "balance";
     /// [`Aperture::Disc`](super::Aperture::Disc); without it, the opening of a [`LENS`](Self::LENS) is a square.
     DISC_APERTURE = 47, "disc-aperture";
+    /// [`Shape::Annulus`](super::Shape::Annulus)
+    ANNULUS = 48, "annulus";
+    /// [`Pattern::Rings`](super::Pattern::Rings)
+    RINGS = 49, "rings";
+    /// [`Background::Stars`](super::Background::Stars)
+    STARS = 50, "stars";
+    /// [`Level::Height`](super::Level::Height)
+    HEIGHT_PROFILE = 51, "height-profile";
+    /// [`Level::Radius`](super::Level::Radius)
+    RADIUS_PROFILE = 52, "radius-profile";
+    /// [`Law::Polynomial`](super::Law::Polynomial)
+    POLYNOMIAL_LAW = 53, "polynomial-law";
+    /// [`Law::Exponential`](super::Law::Exponential), [`Law::Thermal`](super::Law::Thermal) and
+    /// [`Law::Inversion`](super::Law::Inversion)
+    EXPONENTIAL_LAW = 54, "exponential-law";
+    /// [`Law::FishEye`](super::Law::FishEye)
+    FISH_EYE_LAW = 55, "fish-eye-law";
+    /// [`Law::Table`](super::Law::Table)
+    TABLE_LAW = 56, "table-law";
+    /// [`Method::Layers`](super::Method::Layers)
+    LAYERS = 57, "layers";
+    /// [`Steps::Fixed`](super::Steps::Fixed)
+    FIXED_STEPS = 58, "fixed-steps";
+    /// [`Steps::Controlled`](super::Steps::Controlled)
+    CONTROLLED_STEPS = 59, "controlled-steps";
+    /// [`BlackHole`](super::BlackHole)
+    BLACK_HOLE = 60, "black-hole";
+    /// [`ShadowRays::Bent`](super::ShadowRays::Bent), in a scene that bends light.
+    BENT_SHADOWS = 61, "bent-shadows";
 }
 
 impl Effects {
+    /// A medium whose index of refraction varies.
+    pub(crate) const GRADED: Self = Self::HEIGHT_PROFILE.with(Self::RADIUS_PROFILE);
+
     /// No effect at all.
     pub const NONE: Self = Self(0);
 

@@ -63,6 +63,16 @@ pub enum Fresnel {
     Schlick,
 }
 
+impl<T> Interface<T> {
+    /// What is inside, by reference and in constant evaluation.
+    pub(super) const fn inside(&self) -> Option<&Medium<T>> {
+        match self {
+            Self::Constant { medium, .. } | Self::Dielectric { medium, .. } => Some(medium),
+            _ => None,
+        }
+    }
+}
+
 impl<T: Real> Interface<T> {
     /// What is inside, where light can go inside.
     pub fn medium(&self) -> Option<Medium<T>> {

@@ -2,7 +2,7 @@
 
 use crate::math::{Real, Rgb};
 
-/// A homogeneous transparent medium: air, water, glass.
+/// A transparent medium: air, water, glass.
 ///
 /// ```
 /// use whit::scene::Medium;
@@ -31,6 +31,8 @@ pub enum Index<T> {
     /// One index for each channel: a branch of light splits into its channels where it is first refracted by it. The
     /// formulas of [`optics`](crate::optics) (Cauchy, Sellmeier) give the three numbers for real glass.
     Dispersive(Rgb<T>),
+    /// Different from place to place: the scene's profile of this number.
+    Profile(u8),
 }
 
 /// A channel of colour, which a branch of light that has been dispersed carries alone.
@@ -58,6 +60,11 @@ impl<T: Real> Medium<T> {
         Self { index: Index::Dispersive(index), attenuation: None, priority: None }
     }
 
+    /// A clear medium whose index is the scene's profile of this number: see [`Profile`](super::Profile).
+    pub const fn graded(profile: u8) -> Self {
+        Self { index: Index::Profile(profile), attenuation: None, priority: None }
+    }
+
     /// The same medium, attenuating light by e^(−c·x) over a distance x; c is in 1/scene unit.
     #[must_use]
     pub const fn with_attenuation(self, attenuation: Rgb<T>) -> Self {
@@ -76,6 +83,7 @@ impl<T: Real> Medium<T> {
             index: match self.index {
                 Index::Constant(n) => Index::Constant(f(n)),
                 Index::Dispersive(n) => Index::Dispersive(n.map(&f)),
+                Index::Profile(number) => Index::Profile(number),
             },
             attenuation: self.attenuation.map(|c| c.map(f)),
             priority: self.priority,
@@ -84,7 +92,8 @@ impl<T: Real> Medium<T> {
 }
 
 impl<T: Real> Index<T> {
-    /// The index for a channel; for light of all channels that of green, the middle one.
+    /// The index for a channel; for light of all channels that of green, the middle one. It is 1 for a profile, which the
+    /// scene knows: [`Scene::index_at`](super::Scene::index_at).
     #[inline]
     pub fn at(&self, channel: Option<Channel>) -> T {
         match (self, channel) {
@@ -92,6 +101,7 @@ impl<T: Real> Index<T> {
             (Self::Dispersive(n), Some(Channel::Red)) => n.r,
             (Self::Dispersive(n), None | Some(Channel::Green)) => n.g,
             (Self::Dispersive(n), Some(Channel::Blue)) => n.b,
+            (Self::Profile(_), _) => T::ONE,
         }
     }
 }

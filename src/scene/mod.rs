@@ -14,6 +14,7 @@ pub mod nff;
 mod object;
 mod packed_spheres;
 mod pattern;
+mod profile;
 pub mod scenes;
 mod shape;
 mod structure;
@@ -32,10 +33,12 @@ pub use object::{Object, Shadow, Sides};
 pub(crate) use packed_spheres::{Cluster, LANES};
 pub use packed_spheres::{PackedSpheres, SphereList};
 pub use pattern::Pattern;
-pub use shape::{AxisBox, Cone, Disc, Plane, Shape, SmoothTriangle, Sphere, Triangle};
+pub(crate) use profile::Layers;
+pub use profile::{BlackHole, Law, Level, Method, Profile, ShadowRays, Steps};
+pub use shape::{Annulus, AxisBox, Cone, Disc, Plane, Shape, SmoothTriangle, Sphere, Triangle};
 pub use validate::{Place, SceneError};
 
-use crate::math::Real;
+use crate::math::{Real, Vec3};
 
 /// Everything that is rendered: a view over the caller's memory, flash or RAM.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +58,12 @@ pub struct Scene<'a, T> {
     pub lights: &'a [Light<T>],
     /// From light to the values of pixels.
     pub tone: Tone<T>,
+    /// The profiles of media whose index of refraction varies; the media name them by number.
+    pub profiles: &'a [Profile<'a, T>],
+    /// A black hole.
+    pub black_hole: Option<BlackHole<T>>,
+    /// How shadow rays go where light is bent.
+    pub shadow_rays: ShadowRays,
 }
 
 /// From light to the values of pixels.
@@ -82,6 +91,9 @@ impl<'a, T: Real> Scene<'a, T> {
             objects: &[],
             lights: &[],
             tone: Tone::Linear,
+            profiles: &[],
+            black_hole: None,
+            shadow_rays: ShadowRays::Straight,
         }
     }
 
@@ -101,6 +113,49 @@ impl<'a, T: Real> Scene<'a, T> {
     #[must_use]
     pub const fn with_medium(self, medium: Medium<T>) -> Self {
         Self { medium, ..self }
+    }
+
+    /// The same scene with these profiles for its media to name.
+    #[must_use]
+    pub const fn with_profiles(self, profiles: &'a [Profile<'a, T>]) -> Self {
+        Self { profiles, ..self }
+    }
+
+    /// The same scene with a black hole.
+    #[must_use]
+    pub const fn with_black_hole(self, hole: BlackHole<T>) -> Self {
+        Self { black_hole: Some(hole), ..self }
+    }
+
+    /// The same scene with shadow rays that are bent as all light is.
+    #[must_use]
+    pub const fn with_bent_shadows(self) -> Self {
+        Self { shadow_rays: ShadowRays::Bent, ..self }
+    }
+
+    /// The profile that an index of refraction names, if it names one.
+    #[inline]
+    pub(crate) fn profile(&self, index: &Index<T>) -> Option<&'a Profile<'a, T>> {
+        match index {
+            Index::Profile(number) => self.profiles.get(usize::from(*number)),
+            Index::Constant(_) | Index::Dispersive(_) => None,
+        }
+    }
+
+    /// An index of refraction at a point: one that names a profile as a constant, any other as it is.
+    pub fn index_at(&self, index: Index<T>, point: Vec3<T>) -> Index<T> {
+        self.index_for::<{ Effects::ALL.bits() }>(index, point)
+    }
+
+    /// An index of refraction at a point, by a tracer of these effects.
+    #[inline]
+    pub(crate) fn index_for<const EFFECTS: u64>(&self, index: Index<T>, point: Vec3<T>) -> Index<T> {
+        match self.profile(&index) {
+            Some(profile) if Effects::from_bits(EFFECTS).has(Effects::GRADED) => {
+                Index::Constant(profile.index_at::<EFFECTS>(point))
+            }
+            _ => index,
+        }
     }
 
     /// The same scene with the reflectance of dielectrics computed in another way.

@@ -32,6 +32,17 @@ pub enum Pattern<T> {
         /// Direction of the change, with the length 1/(distance over which it happens).
         axis: Vec3<T>,
     },
+    /// Two colours by the parity of ⌊|p − centre|/width⌋.
+    Rings {
+        /// In the middle.
+        even: Rgb<T>,
+        /// In the next ring.
+        odd: Rgb<T>,
+        /// Where they start.
+        center: Vec3<T>,
+        /// Of a ring, in scene units.
+        width: T,
+    },
 }
 
 impl<T: Real> Pattern<T> {
@@ -44,6 +55,9 @@ impl<T: Real> Pattern<T> {
             }
             Self::Gradient { from, to, origin, axis } => {
                 Pattern::Gradient { from: from.map(&f), to: to.map(&f), origin: origin.map(&f), axis: axis.map(&f) }
+            }
+            Self::Rings { even, odd, center, width } => {
+                Pattern::Rings { even: even.map(&f), odd: odd.map(&f), center: center.map(&f), width: f(width) }
             }
         }
     }

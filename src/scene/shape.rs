@@ -32,6 +32,19 @@ pub struct Disc<T> {
     pub radius: T,
 }
 
+/// A flat disc with a round hole in its middle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Annulus<T> {
+    /// Centre.
+    pub center: Vec3<T>,
+    /// The direction across it, of any length but zero.
+    pub normal: Vec3<T>,
+    /// Radius of the hole.
+    pub inner: T,
+    /// Radius of the rim.
+    pub outer: T,
+}
+
 /// A box whose edges lie along the axes. A ray in the plane of a face meets it, and a box without thickness is a sheet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisBox<T> {
@@ -87,6 +100,8 @@ pub enum Shape<'a, T> {
     Plane(Plane<T>),
     /// A disc.
     Disc(Disc<T>),
+    /// A disc with a hole.
+    Annulus(Annulus<T>),
     /// An axis-aligned box.
     Box(AxisBox<T>),
     /// One triangle.
@@ -113,6 +128,11 @@ impl<T: Copy> Shape<'_, T> {
     /// A disc across `normal`.
     pub const fn disc(center: Vec3<T>, normal: Vec3<T>, radius: T) -> Self {
         Self::Disc(Disc { center, normal, radius })
+    }
+
+    /// A disc across `normal` between two circles.
+    pub const fn annulus(center: Vec3<T>, normal: Vec3<T>, inner: T, outer: T) -> Self {
+        Self::Annulus(Annulus { center, normal, inner, outer })
     }
 
     /// An axis-aligned box between two opposite corners.
@@ -171,6 +191,7 @@ impl<T: Real> Shape<'_, T> {
             Self::Triangle(t) => triangle(t),
             Self::Plane(p) => Shape::plane(point(p.point), point(p.normal)),
             Self::Disc(d) => Shape::disc(point(d.center), point(d.normal), convert(d.radius)),
+            Self::Annulus(a) => Shape::annulus(point(a.center), point(a.normal), convert(a.inner), convert(a.outer)),
             Self::Box(b) => Shape::axis_box(point(b.min), point(b.max)),
             Self::SmoothTriangle(t) => {
                 Shape::SmoothTriangle(SmoothTriangle { vertices: t.vertices.map(point), normals: t.normals.map(point) })

@@ -2,9 +2,10 @@
 //! constant for every number type.
 
 use super::{
-    Aperture, Background, Effects, Emitter, Exponent, Film, Fresnel, Interface, Light, Lobe, Material, Medium,
+    Aperture, Background, Effects, Emitter, Exponent, Film, Fresnel, Interface, Law, Level, Light, Lobe, Material,
+    Medium, Method,
 };
-use super::{Object, Pattern, Scene, Shadow, Shape, Sides, Spectrum, Thickness, Tone};
+use super::{Object, Pattern, Profile, Scene, Shadow, ShadowRays, Shape, Sides, Spectrum, Steps, Thickness, Tone};
 
 impl<T> Scene<'_, T> {
     /// The effects that the scene calls for. It reads structure only (which variants, `Some` or `None`), never a
@@ -16,6 +17,7 @@ impl<T> Scene<'_, T> {
             Background::Solid(_) => Effects::NONE,
             Background::Gradient { .. } => Effects::BACKGROUND_GRADIENT,
             Background::Sky { .. } => Effects::SKY,
+            Background::Stars { .. } => Effects::STARS,
         };
         if let Some(lens) = &self.camera.lens {
             effects = effects.with(Effects::LENS).with(match lens.aperture {
@@ -37,7 +39,51 @@ impl<T> Scene<'_, T> {
             effects = effects.with(self.lights[i].effects());
             i += 1;
         }
-        effects
+        effects.with(self.bending())
+    }
+
+    /// What bends light.
+    #[allow(clippy::indexing_slicing)] // In range by the loop's condition; iterators are not const.
+    const fn bending(&self) -> Effects {
+        let mut effects = match &self.black_hole {
+            Some(hole) => Effects::BLACK_HOLE.with(hole.steps.effects()),
+            None => Effects::NONE,
+        };
+        let mut i = 0;
+        while i < self.profiles.len() {
+            effects = effects.with(self.profiles[i].effects());
+            i += 1;
+        }
+        let bent = matches!(self.shadow_rays, ShadowRays::Bent) && !effects.is_empty();
+        if bent { effects.with(Effects::BENT_SHADOWS) } else { effects }
+    }
+}
+
+impl<T> Profile<'_, T> {
+    const fn effects(&self) -> Effects {
+        let level = match self.level {
+            Level::Height { .. } => Effects::HEIGHT_PROFILE,
+            Level::Radius { .. } => Effects::RADIUS_PROFILE,
+        };
+        let law = match self.law {
+            Law::Polynomial { .. } => Effects::POLYNOMIAL_LAW,
+            Law::Exponential { .. } | Law::Thermal { .. } | Law::Inversion { .. } => Effects::EXPONENTIAL_LAW,
+            Law::FishEye { .. } => Effects::FISH_EYE_LAW,
+            Law::Table { .. } => Effects::TABLE_LAW,
+        };
+        level.with(law).with(match &self.method {
+            Method::Layers { .. } => Effects::LAYERS,
+            Method::Steps(steps) => steps.effects(),
+        })
+    }
+}
+
+impl<T> Steps<T> {
+    const fn effects(&self) -> Effects {
+        match self {
+            Self::Fixed { .. } => Effects::FIXED_STEPS,
+            Self::Controlled { .. } => Effects::CONTROLLED_STEPS,
+        }
     }
 }
 
@@ -45,14 +91,14 @@ impl<T> Scene<'_, T> {
 const MOST_MEDIA: usize = 8;
 
 impl<T> Scene<'_, T> {
-    /// How many media a branch of light has to remember that it is inside of: 0 where each transparent object is clear
-    /// and can be taken to stand alone; else the number of transparent objects, up to 8.
+    /// How many media a branch of light has to remember that it is inside of: 0 where each transparent object is clear,
+    /// of one index, and can be taken to stand alone; else the number of transparent objects, up to 8.
     ///
     /// It is the `MEDIA` of a [`Tracer`](crate::Tracer).
     #[must_use]
     #[allow(clippy::indexing_slicing)] // In range by the loop's condition; iterators are not const.
     pub const fn media(&self) -> usize {
-        if !self.effects().has(Effects::PRIORITY.with(Effects::ATTENUATION)) {
+        if !self.effects().has(Effects::PRIORITY.with(Effects::ATTENUATION).with(Effects::GRADED)) {
             return 0;
         }
         let mut media = 0;
@@ -83,6 +129,7 @@ impl<T> Object<'_, T> {
             Shape::Spheres(_) => Effects::SPHERES,
             Shape::Plane(_) => Effects::PLANE,
             Shape::Disc(_) => Effects::DISC,
+            Shape::Annulus(_) => Effects::ANNULUS,
             Shape::Box(_) => Effects::BOX,
             Shape::Triangle(_) => Effects::TRIANGLE,
             Shape::Triangles(_) => Effects::TRIANGLES,
@@ -111,6 +158,7 @@ impl<T> Material<T> {
                 Pattern::Solid(_) => Effects::NONE,
                 Pattern::Checker { .. } => Effects::CHECKER,
                 Pattern::Gradient { .. } => Effects::GRADIENT,
+                Pattern::Rings { .. } => Effects::RINGS,
             });
         }
         if let Some(highlight) = &self.highlight {

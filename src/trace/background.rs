@@ -1,5 +1,6 @@
 //! What a ray sees that meets nothing.
 
+use super::stars::stars;
 use crate::math::{Real, Rgb, Vec3};
 use crate::scene::{Background, Effects, Scene};
 
@@ -17,6 +18,9 @@ pub(super) fn background<T: Real, const EFFECTS: u64>(scene: &Scene<'_, T>, dire
             let dark = T::ONE - direction.dot(up);
             let square = dark * dark;
             horizon * (square * square)
+        }
+        Background::Stars { sky, brightness, cells, radius } if effects.has(Effects::STARS) => {
+            sky + stars(direction, cells, radius) * brightness
         }
         _ => Rgb::BLACK,
     }

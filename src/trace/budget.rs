@@ -13,12 +13,17 @@ pub struct Budget<T> {
     /// only if the rest pays for it and for a shadow ray to each light. Each surface that a ray goes straight through
     /// counts as one more; a shadow ray that cannot pay for one ends there, in the dark.
     pub rays_per_pixel: u32,
+    /// The number of steps that a bent ray may take to its next surface; straight rays take none.
+    pub steps_per_ray: u16,
     /// What a branch that is cut contributes.
     pub termination: Termination<T>,
 }
 
 /// The largest number of bounces: the next one is counted in a byte as well.
 pub const MOST_BOUNCES: u8 = 254;
+
+/// The steps of a bent ray, unless a budget says otherwise.
+pub(crate) const USUAL_STEPS: u16 = 10_000;
 
 /// How many surfaces in a row a ray may go straight through: branches inside a medium of higher priority, and shadow rays
 /// in tinted media. It takes no depth, and this bounds it.
@@ -36,9 +41,15 @@ pub enum Termination<T> {
 }
 
 impl<T: Real> Budget<T> {
-    /// A number of bounces and no other limit; what is cut takes the background.
+    /// A number of bounces, 10,000 steps for a bent ray and no other limit; what is cut takes the background.
     #[must_use]
     pub const fn with_depth(depth: u8) -> Self {
-        Self { depth, cutoff: T::ZERO, rays_per_pixel: u32::MAX, termination: Termination::Background }
+        Self {
+            depth,
+            cutoff: T::ZERO,
+            rays_per_pixel: u32::MAX,
+            steps_per_ray: USUAL_STEPS,
+            termination: Termination::Background,
+        }
     }
 }

@@ -78,9 +78,14 @@ impl<const MEDIA: usize> Media<MEDIA> {
         let real = |before, behind| Border { before, behind, media: *self, is_real: true, overflow: false };
         let transparent = Effects::from_bits(EFFECTS).has(Effects::CONSTANT.with(Effects::DIELECTRIC));
         let hit = crossing.hit;
+        // Where an index varies, it is the one at the contact that counts.
+        let at = |index| match Effects::from_bits(EFFECTS).has(Effects::GRADED) {
+            true => scene.index_for::<EFFECTS>(index, crossing.ray.at(hit.contact.t)),
+            false => index,
+        };
         let inside = if transparent { hit.object.material.interface.medium() } else { None };
         let Some(Medium { index: inside, .. }) = inside else {
-            return real(self.medium(scene).index, None);
+            return real(at(self.medium(scene).index), None);
         };
         if MEDIA == 0 {
             let outside = scene.medium.index;
@@ -88,7 +93,7 @@ impl<const MEDIA: usize> Media<MEDIA> {
         }
         let (media, overflow) = self.behind::<T, EFFECTS>(scene, crossing, |_| true);
         let is_real = self.0.first() != media.0.first();
-        let (before, behind) = (self.medium(scene).index, Some(media.medium(scene).index));
+        let (before, behind) = (at(self.medium(scene).index), Some(at(media.medium(scene).index)));
         Border { before, behind, media, is_real, overflow }
     }
 

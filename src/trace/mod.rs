@@ -1,6 +1,7 @@
 //! The ray tree, its budget and its shading.
 
 mod background;
+mod bent_light;
 mod budget;
 mod film;
 mod illumination;
@@ -11,6 +12,7 @@ mod sequence;
 mod shade;
 mod shadow;
 mod split;
+mod stars;
 mod tracer;
 mod tree;
 

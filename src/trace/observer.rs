@@ -28,6 +28,8 @@ pub enum Cut {
     Rays,
     /// [`MOST_PASSED`](super::MOST_PASSED) surfaces in a row that it went straight through.
     Passed,
+    /// [`Budget::steps_per_ray`](crate::Budget::steps_per_ray)
+    Steps,
 }
 
 /// Is told of events while a frame is traced. Every method does nothing unless it is written; `()` sees nothing, and
@@ -38,6 +40,16 @@ pub trait Observer {
     fn ray(&mut self, kind: RayKind) {
         let _ = kind;
     }
+
+    /// A bent ray took so many steps to the next surface.
+    #[inline]
+    fn steps(&mut self, count: u32) {
+        let _ = count;
+    }
+
+    /// A branch fell into a black hole.
+    #[inline]
+    fn captured(&mut self) {}
 
     /// A branch was reflected totally.
     #[inline]
@@ -68,6 +80,14 @@ impl<O: Observer> Observer for &mut O {
         (**self).ray(kind);
     }
     #[inline]
+    fn steps(&mut self, count: u32) {
+        (**self).steps(count);
+    }
+    #[inline]
+    fn captured(&mut self) {
+        (**self).captured();
+    }
+    #[inline]
     fn total_internal_reflection(&mut self) {
         (**self).total_internal_reflection();
     }
@@ -90,6 +110,16 @@ impl<A: Observer, B: Observer> Observer for (A, B) {
     fn ray(&mut self, kind: RayKind) {
         self.0.ray(kind);
         self.1.ray(kind);
+    }
+    #[inline]
+    fn steps(&mut self, count: u32) {
+        self.0.steps(count);
+        self.1.steps(count);
+    }
+    #[inline]
+    fn captured(&mut self) {
+        self.0.captured();
+        self.1.captured();
     }
     #[inline]
     fn total_internal_reflection(&mut self) {
@@ -138,6 +168,12 @@ pub struct Stats {
     pub cut_by_budget: u64,
     /// Branches and shadow rays cut after too many surfaces that they went straight through.
     pub cut_by_passing: u64,
+    /// Steps of bent rays.
+    pub steps: u64,
+    /// Branches that fell into a black hole.
+    pub captured: u64,
+    /// Branches cut by the steps per ray.
+    pub cut_by_steps: u64,
 }
 
 impl Stats {
@@ -162,6 +198,9 @@ impl Stats {
             cut_by_cutoff: self.cut_by_cutoff + other.cut_by_cutoff,
             cut_by_budget: self.cut_by_budget + other.cut_by_budget,
             cut_by_passing: self.cut_by_passing + other.cut_by_passing,
+            steps: self.steps + other.steps,
+            captured: self.captured + other.captured,
+            cut_by_steps: self.cut_by_steps + other.cut_by_steps,
         }
     }
 }
@@ -175,6 +214,16 @@ impl Observer for Stats {
         self.transmitted += u64::from(kind == RayKind::Transmitted);
         self.passed += u64::from(kind == RayKind::Passed);
         self.shadow += u64::from(kind == RayKind::Shadow);
+    }
+
+    #[inline]
+    fn steps(&mut self, count: u32) {
+        self.steps += u64::from(count);
+    }
+
+    #[inline]
+    fn captured(&mut self) {
+        self.captured += 1;
     }
 
     #[inline]
@@ -194,6 +243,7 @@ impl Observer for Stats {
             Cut::Cutoff => self.cut_by_cutoff += 1,
             Cut::Rays => self.cut_by_budget += 1,
             Cut::Passed => self.cut_by_passing += 1,
+            Cut::Steps => self.cut_by_steps += 1,
         }
     }
 }

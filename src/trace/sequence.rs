@@ -77,7 +77,7 @@ fn steps(dimension: u32) -> [u32; 2] {
 
 /// An integer hash (Ellis's lowbias32).
 #[inline]
-const fn mix(x: u32) -> u32 {
+pub(super) const fn mix(x: u32) -> u32 {
     let x = (x ^ (x >> 16)).wrapping_mul(0x7feb_352d);
     let x = (x ^ (x >> 15)).wrapping_mul(0x846c_a68b);
     x ^ (x >> 16)

@@ -1,5 +1,6 @@
 //! The light that a surface point sends towards the eye by itself: Blinn-Phong over the visible lights.
 
+use super::bent_light::BentLight;
 use super::illumination::illuminate;
 use super::media::Media;
 use super::shadow::{Share, light_share};
@@ -7,6 +8,7 @@ use super::{Branch, Context, Observer, RayKind, Sequence};
 use crate::intersect::Surface;
 use crate::math::{Real, Rgb, Vec3};
 use crate::optics::reflect;
+use crate::path::has_bent_shadows;
 use crate::scene::{Body, Effects, Exponent, Highlight, Lobe, Material, Pattern};
 
 /// A surface point whose lights are being looked at. It can be left between two shadow rays and taken up again.
@@ -89,7 +91,7 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
     /// the surfaces that shadow rays go straight through.
     pub(crate) fn advance<const EFFECTS: u64, O: Observer>(
         &mut self,
-        &Context { scene, samples, .. }: &Context<'_, 'a, T>,
+        &Context { scene, samples, budget }: &Context<'_, 'a, T>,
         gathered: &mut Rgb<T>,
         rays: &mut u32,
         rays_left: &mut u32,
@@ -100,7 +102,15 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
                 let count = scene.lights.len() as u32;
                 samples.point(Sequence::light(u32::from(self.depth), self.light as u32, count))
             };
-            if let Some(arriving) = illuminate::<T, EFFECTS>(light, self.origin, sample) {
+            let straight = illuminate::<T, EFFECTS>(light, self.origin, sample);
+            let mut bent = BentLight::new(budget);
+            let is_bent = has_bent_shadows::<T, EFFECTS>(scene);
+            let arriving = if is_bent {
+                straight.and_then(|light| bent.aim::<EFFECTS>(scene, self.media.medium(scene).index, light))
+            } else {
+                straight
+            };
+            if let Some(arriving) = arriving {
                 // Huge lights may overflow, and what nothing of them gets through must still be black.
                 let sent = arriving.color * self.response::<EFFECTS>(arriving.ray.direction);
                 let sent = sent.max(Rgb::BLACK).min(Rgb::grey(T::MAX));
@@ -111,14 +121,20 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
                     observer.ray(RayKind::Shadow);
                     let lights_left = scene.lights.len().saturating_sub(self.light) as u32;
                     let most = rays_left.saturating_sub(lights_left);
-                    let Share { light, passed } =
-                        light_share::<T, EFFECTS, MEDIA, O>(scene, &self.media, &arriving, most, observer);
+                    let Share { light, passed } = if bent.is_hidden::<EFFECTS>(scene) {
+                        Share::NOTHING
+                    } else {
+                        light_share::<T, EFFECTS, MEDIA, O>(scene, &self.media, &arriving, most, observer)
+                    };
                     *rays = rays.saturating_sub(1 + passed);
                     *rays_left = rays_left.saturating_sub(1 + passed);
                     if let Some(share) = light {
                         *gathered += self.throughput * (sent * share);
                     }
                 }
+            }
+            if is_bent {
+                *rays = rays.saturating_sub(bent.report(budget, self.throughput, observer));
             }
             self.light += 1;
         }
@@ -177,6 +193,10 @@ fn color_at<T: Real, const EFFECTS: u64>(pattern: &Pattern<T>, point: Vec3<T>) -
         }
         Pattern::Gradient { from, to, origin, axis } if effects.has(Effects::GRADIENT) => {
             from.mix(to, (point - origin).dot(axis).max(T::ZERO).min(T::ONE))
+        }
+        Pattern::Rings { even, odd, center, width } if effects.has(Effects::RINGS) => {
+            let half = ((point - center).length() / width).floor() * T::HALF;
+            if half == half.floor() { even } else { odd }
         }
         _ => Rgb::BLACK,
     }

@@ -4,7 +4,7 @@ use super::illumination::Illumination;
 use super::media::{Crossing, Media};
 use super::{Cut, MOST_PASSED, Observer};
 use crate::math::{Real, Rgb};
-use crate::path::{is_lit, next_tinted_surface};
+use crate::path::{has_bent_shadows, is_lit_straight, next_tinted_surface};
 use crate::scene::{Effects, Object, Scene, Shadow};
 
 /// How much of a light's light gets to a point.
@@ -15,9 +15,14 @@ pub(super) struct Share<T> {
     pub passed: u32,
 }
 
+impl<T> Share<T> {
+    /// What gets to a point in a shadow.
+    pub(super) const NOTHING: Self = Self { light: None, passed: 0 };
+}
+
 /// The share of arriving light that reaches a point inside `media`.
 ///
-/// What casts a full shadow stops it. Media attenuate it: those of objects with a tinted shadow, which it goes through
+/// What casts a full shadow stops it; with bent shadows that has been seen to. Media attenuate it: those of objects with a tinted shadow, which it goes through
 /// in a straight line, and the scene's between them. It goes through no more surfaces than `most` and [`MOST_PASSED`].
 pub(super) fn light_share<T: Real, const EFFECTS: u64, const MEDIA: usize, O: Observer>(
     scene: &Scene<'_, T>,
@@ -29,7 +34,7 @@ pub(super) fn light_share<T: Real, const EFFECTS: u64, const MEDIA: usize, O: Ob
     let effects = const { Effects::from_bits(EFFECTS) };
     let straight = |light| Share { light, passed: 0 };
     let &Illumination { ray, distance, .. } = arriving;
-    if !is_lit::<T, EFFECTS>(scene, &ray, distance) {
+    if !has_bent_shadows::<T, EFFECTS>(scene) && !is_lit_straight::<T, EFFECTS>(scene, &ray, distance) {
         return straight(None);
     }
     if !effects.has(Effects::ATTENUATION) {

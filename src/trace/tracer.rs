@@ -2,10 +2,12 @@
 
 use core::fmt;
 
+use super::budget::USUAL_STEPS;
+use super::media::Media;
 use super::{Budget, Context, Observer, RayTree, Samples, Sequence};
-use crate::intersect::{Intersection, Ray};
+use crate::intersect::{Destination, Hit, Intersection, Ray};
 use crate::math::{Real, Rgb};
-use crate::path::next_surface;
+use crate::path::{self, Arrival, Path, StepsLeft, next_surface};
 use crate::scene::{Effects, Scene, SceneError};
 
 /// A scene, to be traced by code for the effects `EFFECTS` ([`Effects::bits`]), with a stack for `DEPTH` branches
@@ -166,9 +168,52 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tr
     /// ```
     #[must_use]
     pub fn intersect(&self, ray: &Ray<T>) -> Option<Intersection<T>> {
+        if path::is_bent::<EFFECTS>() {
+            return match self.destination(ray, USUAL_STEPS) {
+                Destination::Surface(there) => Some(there),
+                Destination::Away(_) | Destination::Captured | Destination::OutOfSteps => None,
+            };
+        }
         let hit = next_surface::<T, EFFECTS>(self.scene, ray)?;
-        let object = self.scene.objects.iter().position(|object| core::ptr::eq(object, hit.object))?;
-        Some(Intersection::new::<EFFECTS>(&hit, object, ray))
+        Some(Intersection::new::<EFFECTS>(&hit, self.number_of(&hit)?, ray))
+    }
+
+    /// Where light goes that starts as a ray, in at most so many steps if it is bent. The ray is as for
+    /// [`intersect`](Self::intersect); it starts in the medium that its origin lies in.
+    ///
+    /// ```
+    /// use whit::scene::{BlackHole, Steps};
+    /// use whit::{Background, Camera, Destination, Ray, Rgb, Scene, Vec3};
+    /// const UP: Vec3<f32> = Vec3::new(0.0, 1.0, 0.0);
+    /// const EYE: Camera<f32> = Camera::look_at(Vec3::new(0.0, 0.0, 50.0), Vec3::ZERO, UP, 40.0);
+    /// const HOLE: BlackHole<f32> =
+    ///     BlackHole { center: Vec3::ZERO, mass: 1.0, steps: Steps::Controlled { tolerance: 1e-5 } };
+    /// const SCENE: Scene<'static, f32> = Scene::new(EYE, Background::Solid(Rgb::BLACK)).with_black_hole(HOLE);
+    /// // Light that would go past the hole at 10 times its mass is turned by 0.5904 (34°).
+    /// let ray = Ray { origin: Vec3::new(-1e6, 10.0, 0.0), direction: Vec3::new(1.0, 0.0, 0.0) };
+    /// let Destination::Away(direction) = whit::tracer!(SCENE).destination(&ray, 1000) else { panic!() };
+    /// assert!((f32::atan2(-direction.y, direction.x) - 0.5904).abs() < 1e-4);
+    /// ```
+    #[must_use]
+    pub fn destination(&self, ray: &Ray<T>, steps: u16) -> Destination<T> {
+        let (media, _) = Media::<MEDIA>::around::<T, EFFECTS>(self.scene, ray);
+        let index = media.medium(self.scene).index;
+        match Path::new(self.scene, index).follow::<EFFECTS>(ray, &mut StepsLeft(steps)) {
+            Arrival::Surface(landing) => {
+                let object = self.number_of(&landing.hit).unwrap_or(self.scene.objects.len());
+                let there = Intersection::new::<EFFECTS>(&landing.hit, object, &landing.chord);
+                let (direction, distance) = (landing.direction, landing.distance);
+                Destination::Surface(Intersection { direction, distance, ..there })
+            }
+            Arrival::Away(direction) | Arrival::Limit(Ray { direction, .. }) => Destination::Away(direction),
+            Arrival::Captured => Destination::Captured,
+            Arrival::OutOfSteps(_) => Destination::OutOfSteps,
+        }
+    }
+
+    /// The place of the object that is hit in the scene's list.
+    fn number_of(&self, hit: &Hit<'_, T>) -> Option<usize> {
+        self.scene.objects.iter().position(|object| core::ptr::eq(object, hit.object))
     }
 
     /// The light that comes back along one ray, whose direction must have length 1 and whose origin coordinates of at

@@ -11,9 +11,9 @@ use super::media::{Crossing, Media};
 use super::meeting::{Meeting, reflected};
 use super::shade::{Samples, Shading};
 use super::{Budget, Cut, MOST_BOUNCES, MOST_PASSED, Observer, RayKind, Termination};
-use crate::intersect::Ray;
-use crate::math::{Real, Rgb};
-use crate::path::next_surface;
+use crate::intersect::{Hit, Ray};
+use crate::math::{Real, Rgb, Vec3};
+use crate::path::{self, Arrival, Path, StepsLeft, next_surface};
 use crate::scene::{Channel, Effects, Scene};
 
 /// A ray that is still to be followed.
@@ -57,6 +57,14 @@ pub(crate) struct Context<'c, 'a, T> {
     pub scene: &'c Scene<'a, T>,
     pub budget: &'c Budget<T>,
     pub samples: Samples,
+}
+
+/// A bent path, to a surface or away for ever.
+struct Way<'a, T> {
+    hit: Option<Hit<'a, T>>,
+    /// Where it goes at its end.
+    direction: Vec3<T>,
+    distance: T,
 }
 
 impl<'a, T: Real, const DEPTH: usize, const MEDIA: usize> RayTree<'a, T, DEPTH, MEDIA> {
@@ -133,7 +141,7 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             }
             self.rays_left -= 1;
             observer.ray(branch.kind);
-            self.follow::<EFFECTS, O>(branch, pending, context, observer);
+            self.follow::<EFFECTS, O>(branch, pending, context, rays, observer);
         }
     }
 
@@ -143,12 +151,21 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         mut branch: Branch<T, MEDIA>,
         pending: &mut VecView<Branch<T, MEDIA>>,
         context: &Context<'_, 'a, T>,
+        rays: &mut u32,
         observer: &mut O,
     ) {
         let scene = context.scene;
-        let hit = next_surface::<T, EFFECTS>(scene, &branch.ray);
+        let mut bent = None;
+        let hit = if path::is_bent::<EFFECTS>() {
+            let Some(way) = self.bend::<EFFECTS, O>(&mut branch, context, rays, observer) else { return };
+            bent = Some((way.direction, way.distance));
+            way.hit
+        } else {
+            next_surface::<T, EFFECTS>(scene, &branch.ray)
+        };
         if Effects::from_bits(EFFECTS).has(Effects::ATTENUATION) {
-            let distance = hit.as_ref().map_or(T::MAX, |hit| hit.contact.t);
+            let straight = hit.as_ref().map_or(T::MAX, |hit| hit.contact.t);
+            let distance = bent.map_or(straight, |(_, distance)| distance);
             branch.throughput = branch.throughput * branch.media.transmittance(scene, distance);
         }
         let Some(hit) = hit else {
@@ -160,6 +177,10 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         let border = branch.media.border::<T, EFFECTS>(scene, &Crossing { hit: &hit, ray: &branch.ray, reach });
         if border.overflow {
             observer.media_overflow();
+        }
+        // The chord that meets the surface is not quite the path: it says on which side it does.
+        if let Some((direction, _)) = bent.filter(|(direction, _)| direction.dot(surface.normal) < T::ZERO) {
+            branch.ray.direction = direction;
         }
         if !border.is_real {
             branch.ray = surface.leave(branch.ray.direction, false);
@@ -184,6 +205,45 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         self.shading = Shading::new::<EFFECTS>(material, &surface, &branch, body);
         if let Some(shading) = &self.shading {
             self.gathered += shading.emitted::<EFFECTS>();
+        }
+    }
+
+    /// Takes a branch along its bent path; `None` where that ends the branch.
+    ///
+    /// The ray of the branch becomes the last chord of the path. Each step counts as a ray of those after which the walk
+    /// stops, so that it stops for as long paths as it does for many rays.
+    fn bend<const EFFECTS: u64, O: Observer>(
+        &mut self,
+        branch: &mut Branch<T, MEDIA>,
+        context: &Context<'_, 'a, T>,
+        rays: &mut u32,
+        observer: &mut O,
+    ) -> Option<Way<'a, T>> {
+        let scene = context.scene;
+        let mut left = StepsLeft(context.budget.steps_per_ray);
+        let index = branch.media.medium(scene).index;
+        let arrival = Path::new(scene, index).follow::<EFFECTS>(&branch.ray, &mut left);
+        let taken = u32::from(context.budget.steps_per_ray.saturating_sub(left.0));
+        *rays = rays.saturating_sub(taken);
+        observer.steps(taken);
+        match arrival {
+            Arrival::Surface(landing) => {
+                branch.ray = landing.chord;
+                Some(Way { hit: Some(landing.hit), direction: landing.direction, distance: landing.distance })
+            }
+            Arrival::Away(direction) | Arrival::Limit(Ray { direction, .. }) => {
+                branch.ray.direction = direction;
+                Some(Way { hit: None, direction, distance: T::MAX })
+            }
+            Arrival::Captured => {
+                observer.captured();
+                None
+            }
+            Arrival::OutOfSteps(direction) => {
+                branch.ray.direction = direction;
+                self.cut::<EFFECTS, O>(context, branch, Cut::Steps, observer);
+                None
+            }
         }
     }
 

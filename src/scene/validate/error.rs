@@ -18,12 +18,14 @@ pub struct SceneError {
 pub enum Place {
     /// The camera.
     Camera,
-    /// The scene itself: background, medium, tone.
+    /// The scene itself: background, medium, tone, black hole.
     Scene,
     /// An object, by its place in the list.
     Object(usize),
     /// A light, by its place in the list.
     Light(usize),
+    /// A profile, by its place in the list.
+    Profile(usize),
 }
 
 impl fmt::Display for SceneError {
@@ -33,6 +35,7 @@ impl fmt::Display for SceneError {
             Place::Scene => f.write_str("scene")?,
             Place::Object(i) => write!(f, "object {i}")?,
             Place::Light(i) => write!(f, "light {i}")?,
+            Place::Profile(i) => write!(f, "profile {i}")?,
         }
         write!(f, ": {}: expected {}", self.field, self.expected)
     }

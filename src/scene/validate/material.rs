@@ -135,6 +135,12 @@ impl Pattern<f32> {
                 ensure!(point(origin, "body.color.origin"));
                 point(axis, "body.color.axis")
             }
+            Pattern::Rings { even, odd, center, width } => {
+                ensure!(color(even, "body.color.even"));
+                ensure!(color(odd, "body.color.odd"));
+                ensure!(point(center, "body.color.center"));
+                positive(width, "body.color.width")
+            }
         }
     }
 }

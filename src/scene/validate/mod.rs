@@ -7,15 +7,16 @@ mod camera;
 mod error;
 mod material;
 mod number;
+mod profile;
 mod shape;
 
 pub use error::{Place, SceneError};
 
-use super::{Background, Material, Medium, Object, Scene, Shadow, Tone};
+use super::{Background, Index, Law, Material, Medium, Object, Profile, Scene, Shadow, Tone};
 use crate::math::Real;
 use material::attenuation;
 pub(super) use number::color;
-use number::{Fault, amount, check, ensure, length, refraction, unit};
+use number::{Fault, amount, check, ensure, length, refraction, unit, within};
 #[cfg(feature = "nff")]
 pub(super) use number::{direction, point};
 
@@ -49,7 +50,61 @@ impl Scene<'_, f32> {
             }
             i += 1;
         }
+        self.check_bending()
+    }
+
+    /// Checks what bends light, and that each profile that a medium names is there.
+    #[allow(clippy::indexing_slicing)] // In range by the loops' conditions; iterators are not const.
+    const fn check_bending(&self) -> Result<(), SceneError> {
+        if let Some(hole) = &self.black_hole {
+            if let Err((field, expected)) = hole.check(self.camera.eye) {
+                return Err(SceneError { place: Place::Scene, field, expected });
+            }
+        }
+        if let Err(error) = self.check_names() {
+            return Err(error);
+        }
+        let mut i = 0;
+        while i < self.profiles.len() {
+            if let Err((field, expected)) = self.profiles[i].check() {
+                return Err(SceneError { place: Place::Profile(i), field, expected });
+            }
+            i += 1;
+        }
         Ok(())
+    }
+}
+
+impl<T> Scene<'_, T> {
+    /// Checks that each profile that a medium names is there, and that there is none around a black hole.
+    #[allow(clippy::indexing_slicing)] // In range by the loop's condition; iterators are not const.
+    const fn check_names(&self) -> Result<(), SceneError> {
+        let count = self.profiles.len();
+        if let (Some(_), true) = (&self.black_hole, count > 0) {
+            let expected = "no profile where there is a black hole";
+            return Err(SceneError { place: Place::Scene, field: "profiles", expected });
+        }
+        let expected = "the number of one of the scene's profiles";
+        if !is_there(&self.medium.index, count) {
+            return Err(SceneError { place: Place::Scene, field: "medium.index", expected });
+        }
+        let mut i = 0;
+        while i < self.objects.len() {
+            if let Some(medium) = self.objects[i].material.interface.inside() {
+                if !is_there(&medium.index, count) {
+                    return Err(SceneError { place: Place::Object(i), field: "interface.medium.index", expected });
+                }
+            }
+            i += 1;
+        }
+        Ok(())
+    }
+}
+
+const fn is_there<T>(index: &Index<T>, profiles: usize) -> bool {
+    match index {
+        Index::Profile(number) => (*number as usize) < profiles,
+        Index::Constant(_) | Index::Dispersive(_) => true,
     }
 }
 
@@ -75,6 +130,13 @@ impl<T: Real> Scene<'_, T> {
         for (i, light) in self.lights.iter().enumerate() {
             light.map(T::to_f32).check().map_err(at(Place::Light(i)))?;
         }
+        self.check_names()?;
+        if let Some(hole) = &self.black_hole {
+            hole.map(T::to_f32).check(self.camera.eye.map(T::to_f32)).map_err(at(Place::Scene))?;
+        }
+        for (i, profile) in self.profiles.iter().enumerate() {
+            profile.check_any().map_err(at(Place::Profile(i)))?;
+        }
         Ok(())
     }
 }
@@ -96,6 +158,12 @@ const fn check_surroundings(background: &Background<f32>, tone: &Tone<f32>, medi
             ensure!(color(horizon, "background.horizon"));
             ensure!(unit(up, "background.up"));
         }
+        Background::Stars { sky, brightness, cells, radius } => {
+            ensure!(color(sky, "background.sky"));
+            ensure!(amount(brightness, "background.brightness"));
+            ensure!(check(cells >= 1, "background.cells", "at least 1"));
+            ensure!(check(within(radius, 1e-3, 0.5), "background.radius", "a share of a cell from 1e-3 to 0.5"));
+        }
     }
     if let Tone::Display { gain, lift } = *tone {
         ensure!(amount(gain, "tone.gain"));
@@ -116,4 +184,20 @@ const fn check_looks(material: &Material<f32>, shadow: Shadow) -> Result<(), Fau
     ensure!(material.check());
     let tinted = matches!(shadow, Shadow::Tinted) && !material.interface.is_transparent();
     check(!tinted, "shadow", "a tinted shadow only under a transparent interface")
+}
+
+impl<T: Real> Profile<'_, T> {
+    /// The same check for every number type. A table is not converted as a whole, but each value on its own.
+    fn check_any(&self) -> Result<(), Fault> {
+        if let Some(profile) = self.map(T::to_f32) {
+            return profile.check();
+        }
+        let Law::Table { spacing, values } = self.law else { return Ok(()) };
+        for pair in values.windows(2) {
+            let pair = [pair.first(), pair.last()].map(|value| value.map_or(0.0, |value| value.to_f32()));
+            let law = Law::Table { spacing: spacing.to_f32(), values: &pair };
+            self.map_with_law(law, T::to_f32).check()?;
+        }
+        check(values.len() >= 2, "law.values", profile::TABLE)
+    }
 }

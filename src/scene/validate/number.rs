@@ -97,6 +97,8 @@ pub(super) const fn refraction(index: &Index<f32>, field: &'static str) -> Resul
             ensure!(refraction_of(n.g, field));
             refraction_of(n.b, field)
         }
+        // Of the profile itself, and that it is there, the scene's own check sees to.
+        Index::Profile(_) => Ok(()),
     }
 }
 

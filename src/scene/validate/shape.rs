@@ -40,6 +40,12 @@ impl Shape<'_, f32> {
                 ensure!(direction(disc.normal, "normal"));
                 positive(disc.radius, "radius")
             }
+            Shape::Annulus(annulus) => {
+                ensure!(point(annulus.center, "center"));
+                ensure!(direction(annulus.normal, "normal"));
+                ensure!(positive(annulus.outer, "outer"));
+                check(within(annulus.inner, 0.0, annulus.outer), "inner", "a radius from 0 to `outer`")
+            }
             Shape::Box(b) => {
                 ensure!(point(b.min, "min"));
                 ensure!(point(b.max, "max"));

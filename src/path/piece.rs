@@ -1,0 +1,133 @@
+//! A short piece of a bent path.
+
+use crate::intersect::{Bounds, Ray};
+use crate::math::{Real, Vec3};
+
+/// A place on a bent path.
+///
+/// The path is followed in the parameter τ with dτ = ds/n, in which the ray equation d/ds(n·dx/ds) = ∇n reads
+/// x″ = ½∇(n²), without the direction in it (Sharma, Kumar and Ghatak, "Tracing rays through graded-index media", 1982).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Phase<T> {
+    /// x
+    pub position: Vec3<T>,
+    /// x′, which is as long as the index of refraction.
+    pub momentum: Vec3<T>,
+    /// x″
+    pub acceleration: Vec3<T>,
+}
+
+/// A path between two places on it: the cubic curve that has their positions and directions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece<T> {
+    /// Its Bézier points; the curve lies between them.
+    points: [Vec3<T>; 4],
+    /// How much it bends, in radians, roughly.
+    pub bend: T,
+}
+
+/// The most chords of a piece.
+const MOST_CHORDS: u32 = 64;
+
+impl<T: Real> Piece<T> {
+    /// The piece between two places that are τ apart.
+    pub(super) fn new(from: &Phase<T>, to: &Phase<T>, tau: T) -> Self {
+        let third = tau * T::from_f32(1.0 / 3.0);
+        let points =
+            [from.position, from.position + from.momentum * third, to.position - to.momentum * third, to.position];
+        let bend = (to.momentum - from.momentum).length() / from.momentum.length();
+        Self { points, bend }
+    }
+
+    /// The point at a share of the piece.
+    pub(super) fn at(&self, share: T) -> Vec3<T> {
+        let [a, b, c, d] = self.points;
+        let rest = T::ONE - share;
+        let three = T::TWO + T::ONE;
+        a * (rest * rest * rest)
+            + b * (three * rest * rest * share)
+            + c * (three * rest * share * share)
+            + d * (share * share * share)
+    }
+
+    /// The derivative by the share.
+    pub(super) fn tangent(&self, share: T) -> Vec3<T> {
+        let [a, b, c, d] = self.points;
+        let rest = T::ONE - share;
+        let half = (b - a) * (rest * rest) + (c - b) * (T::TWO * rest * share) + (d - c) * (share * share);
+        half * (T::TWO + T::ONE)
+    }
+
+    /// The length up to a share, by Simpson's rule.
+    pub(super) fn length(&self, share: T) -> T {
+        let [from, middle, to] = [T::ZERO, share * T::HALF, share].map(|share| self.tangent(share).length());
+        (from + T::from_f32(4.0) * middle + to) * (share * T::from_f32(1.0 / 6.0))
+    }
+
+    /// Where it is at a share, and where it goes there.
+    pub(super) fn ray(&self, share: T) -> Ray<T> {
+        Ray { origin: self.at(share), direction: self.tangent(share).normalized() }
+    }
+
+    /// A distance that no point of it is farther from its start than.
+    pub(super) fn reach(&self) -> T {
+        let [a, b, c, d] = self.points;
+        (b - a).length() + (c - b).length() + (d - c).length()
+    }
+
+    /// How many chords are needed to stay within a tolerance, a share of the piece's length: the height of an arc of the
+    /// angle φ over its chord is φ/8 of its length.
+    pub(super) fn chords(&self, tolerance: T) -> u32 {
+        let wish = self.bend / (T::from_f32(8.0) * tolerance);
+        let mut count = 1;
+        while count < MOST_CHORDS && T::from_u32(count * count) < wish {
+            count += 1;
+        }
+        count
+    }
+
+    /// The piece up to a share of it (de Casteljau's division).
+    pub(super) fn up_to(&self, share: T) -> Self {
+        let [a, b, c, d] = self.points;
+        let mix = |from: Vec3<T>, to: Vec3<T>| from + (to - from) * share;
+        let (ab, bc, cd) = (mix(a, b), mix(b, c), mix(c, d));
+        let (abc, bcd) = (mix(ab, bc), mix(bc, cd));
+        Self { points: [a, ab, abc, mix(abc, bcd)], bend: self.bend * share }
+    }
+
+    /// Where `height` is 0 on a piece where it is not above 0 first and above 0 at last: by regula falsi, with the Illinois
+    /// rule, which takes a few trials to the last digits.
+    pub(super) fn crossing(&self, height: impl Fn(Vec3<T>) -> T) -> T {
+        let (mut low, mut high) = (T::ZERO, T::ONE);
+        let (mut below, mut above) = (height(self.at(low)).min(T::ZERO), height(self.at(high)));
+        for _ in 0..12 {
+            let width = above - below;
+            if width <= T::ZERO {
+                break;
+            }
+            let share = low - (high - low) * below / width;
+            let found = height(self.at(share));
+            if found > T::ZERO {
+                (high, above) = (share, found);
+                below *= T::HALF;
+            } else {
+                (low, below) = (share, found);
+                above *= T::HALF;
+            }
+        }
+        high
+    }
+
+    pub(super) fn bounds(&self) -> Bounds<T> {
+        Bounds::around(&self.points)
+    }
+
+    /// One of so many chords, and its length.
+    pub(super) fn chord(&self, number: u32, of: u32) -> (Ray<T>, T) {
+        let share = |i: u32| T::from_u32(i) / T::from_u32(of);
+        let (from, to) = (self.at(share(number)), self.at(share(number + 1)));
+        let length = (to - from).length();
+        let direction = (to - from).normalized_or(self.tangent(share(number)).normalized());
+        (Ray { origin: from, direction }, length)
+    }
+}
