@@ -1,9 +1,11 @@
 //! A scene in another unit of length gives the same bits: there is no length in the library that is not the scene's.
 //!
-//! Every built-in scene, and one of every kind of shape, light, pattern, medium and film, is multiplied by powers of two,
-//! which change no digit of a number.
+//! Every built-in scene, one of every kind of shape, light, pattern, medium and film, and scenes in which light is bent, are
+//! multiplied by powers of two, which change no digit of a number.
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing)]
 
+#[path = "support/bent.rs"]
+mod bent;
 #[path = "support/scaled.rs"]
 mod scaled;
 
@@ -53,9 +55,15 @@ fn all_scenes() -> Vec<(&'static str, Scene<'static, f32>)> {
     scenes::ALL.into_iter().chain([("every kind", every_kind[0]), ("every other kind", every_kind[1])]).collect()
 }
 
+/// Every law, method and kind of shadow ray.
+fn bent_scenes() -> Vec<(&'static str, Scene<'static, f32>)> {
+    bent::scenes().into_iter().map(|(name, scene)| (&*name.leak(), scene)).collect()
+}
+
 #[test]
 fn every_effect_is_in_a_scene() {
-    let effects = all_scenes().iter().fold(Effects::NONE, |all, (_, scene)| all.with(scene.effects()));
+    let scenes = all_scenes().into_iter().chain(bent_scenes());
+    let effects = scenes.fold(Effects::NONE, |all, (_, scene)| all.with(scene.effects()));
     assert!(Effects::ALL.without(effects).is_empty(), "missing: {}", Effects::ALL.without(effects));
 }
 
@@ -65,9 +73,18 @@ const POWERS: std::ops::RangeInclusive<i32> = -45..=45;
 /// As far as validation goes with a scene, and from a millionth to a million times the size at least.
 #[test]
 fn scaled_scenes_have_the_same_bits() {
-    let scenes = all_scenes();
+    assert_same_bits(&all_scenes(), POWERS);
+}
+
+/// What bends light has units too: levels, laws, steps, the mass of a black hole.
+#[test]
+fn scaled_scenes_that_bend_light_have_the_same_bits() {
+    assert_same_bits(&bent_scenes(), POWERS.step_by(10));
+}
+
+fn assert_same_bits(scenes: &[(&str, Scene<'static, f32>)], powers: impl Iterator<Item = i32> + Clone) {
     let expected: Vec<_> = scenes.par_iter().map(|(_, scene)| pictures(scene).unwrap()).collect();
-    let cases: Vec<_> = (0..scenes.len()).flat_map(|scene| POWERS.map(move |k| (scene, k))).collect();
+    let cases: Vec<_> = (0..scenes.len()).flat_map(|scene| powers.clone().map(move |k| (scene, k))).collect();
     let compare = |&(scene, k): &(usize, i32)| {
         let (name, original) = &scenes[scene];
         match pictures(&Scaled::new(original, 2.0_f32.powi(k)).scene()) {
@@ -82,13 +99,13 @@ fn scaled_scenes_have_the_same_bits() {
     };
     let differences: Vec<_> = cases.par_iter().filter_map(compare).collect();
     assert!(differences.is_empty(), "{}", differences.join("\n"));
-    for (name, scene) in &scenes {
+    for (name, scene) in scenes {
         let is_accepted = |k: &i32| {
             let scaled = Scaled::new(scene, 2.0_f32.powi(*k));
             scaled.scene().validate().is_ok()
         };
-        let accepted: Vec<_> = POWERS.filter(is_accepted).collect();
-        println!("{name:16} the same bits from 2^{} to 2^{}", accepted[0], accepted[accepted.len() - 1]);
+        let accepted: Vec<_> = powers.clone().filter(is_accepted).collect();
+        println!("{name:38} the same bits from 2^{} to 2^{}", accepted[0], accepted[accepted.len() - 1]);
     }
 }
 
@@ -126,6 +143,7 @@ fn scaled_shapes_are_met_alike() {
         ("sphere", Shape::sphere(v(0.1, -0.2, 0.3), 0.9)),
         ("plane", Shape::plane(v(0.1, -0.2, 0.3), v(0.4, 1.0, -0.2))),
         ("disc", Shape::disc(v(0.1, -0.2, 0.3), v(0.4, 1.0, -0.2), 0.9)),
+        ("annulus", Shape::annulus(v(0.1, -0.2, 0.3), v(0.4, 1.0, -0.2), 0.3, 0.9)),
         ("box", Shape::axis_box(v(-0.7, -0.8, -0.2), v(0.6, 0.4, 0.9))),
         ("triangle", Shape::triangle(corners[0], corners[1], corners[2])),
         ("sliver", Shape::triangle(sliver[0], sliver[1], sliver[2])),

@@ -27,7 +27,7 @@ impl Primitive {
                 let within = (0.0..1.0).contains(&share) && across < radius;
                 within == (base_radius >= 0.0 && apex_radius >= 0.0)
             }
-            Self::Disc { .. } | Self::Triangle { .. } => false,
+            Self::Disc { .. } | Self::Annulus { .. } | Self::Triangle { .. } => false,
         }
     }
 

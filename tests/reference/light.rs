@@ -4,6 +4,7 @@ use whit::scene::{Background, Emitter, Light};
 
 use super::Numbers;
 use super::camera::concentric;
+use super::stars::stars;
 use super::vector::{Color, Vector};
 
 /// What a point receives from a light if nothing is in the way.
@@ -67,5 +68,8 @@ pub fn background(background: &Background<f32>, direction: Vector) -> Color {
             Color::from(below) * (1.0 - t) + Color::from(above) * t
         }
         Background::Sky { horizon, up } => Color::from(horizon) * (1.0 - direction.dot(up.into())).powi(4),
+        Background::Stars { sky, brightness, cells, radius } => {
+            stars(sky.into(), brightness.into(), cells, radius.into(), direction)
+        }
     }
 }

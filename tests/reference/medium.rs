@@ -38,6 +38,8 @@ impl From<whit::scene::Medium<f32>> for Medium {
         let Color(indices) = match medium.index {
             Index::Constant(n) => Color::grey(n.into()),
             Index::Dispersive(n) => n.into(),
+            // Only its place tells.
+            Index::Profile(_) => Color::grey(f64::NAN),
         };
         Self {
             indices,

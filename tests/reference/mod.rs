@@ -3,21 +3,33 @@
 #![allow(dead_code, unreachable_pub, missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![allow(clippy::indexing_slicing)]
 
+pub mod aim;
+pub mod bent;
 pub mod camera;
 pub mod compare;
 pub mod complex;
 pub mod cone;
 pub mod film;
 pub mod fresnel;
+pub mod graded;
+pub mod hole;
 pub mod inside;
+pub mod integrator;
+pub mod law;
 pub mod light;
 pub mod medium;
 pub mod nesting;
 pub mod optics;
+pub mod path;
+pub mod profile;
 pub mod shade;
+pub mod shadow;
 pub mod shapes;
 pub mod spectrum;
+pub mod stars;
+pub mod touch;
 pub mod vector;
+pub mod walk;
 pub mod world;
 
 use std::ops::AddAssign;
@@ -25,6 +37,8 @@ use std::thread;
 
 use whit::scene::{Channel, Scene, Tone};
 
+use bent::Arrival;
+use path::Bend;
 use shapes::Ray;
 use vector::{Color, Vector};
 use world::{Hit, World};
@@ -171,6 +185,9 @@ impl<'a> Branch<'a> {
 
     /// The light that comes along the ray.
     pub fn trace(&self, ray: &Ray, counts: &mut Counts) -> Color {
+        if let Some(bend) = self.world.bend(ray) {
+            return self.trace_bent(bend, ray, counts);
+        }
         let Some(hit) = self.world.nearest(ray) else {
             let clarity = self.world.clarity(ray, f64::INFINITY, |_| true);
             return clarity * light::background(&self.world.scene.background, ray.direction);
@@ -178,6 +195,22 @@ impl<'a> Branch<'a> {
         let clarity = self.world.clarity(ray, hit.distance, |_| true);
         let branch = Self { throughput: self.throughput * clarity, ..*self };
         clarity * branch.shine(ray, &hit, counts)
+    }
+
+    /// The same where light is bent. None comes from behind a horizon.
+    fn trace_bent(&self, bend: Bend<'_>, ray: &Ray, counts: &mut Counts) -> Color {
+        match self.world.travel(bend, ray) {
+            Arrival::Surface { ray: arriving, hit, length } => {
+                let clarity = self.world.clarity_ahead(ray, length);
+                let branch = Self { throughput: self.throughput * clarity, ..*self };
+                clarity * branch.shine(&arriving, &hit, counts)
+            }
+            Arrival::Away { direction } => {
+                let clarity = self.world.clarity_ahead(ray, f64::INFINITY);
+                clarity * light::background(&self.world.scene.background, direction)
+            }
+            Arrival::Captured => Color::BLACK,
+        }
     }
 
     /// The light that leaves a surface towards the ray's origin.

@@ -1,8 +1,9 @@
 //! Which medium is where, found at every place anew from what is inside of what.
 
-use whit::scene::{Interface, Object, Shape};
+use whit::scene::{Index, Interface, Object, Shape};
 
 use super::medium::{Border, Medium};
+use super::profile::Profile;
 use super::shapes::Ray;
 use super::vector::{Color, Vector};
 use super::world::{Hit, World, own};
@@ -15,7 +16,8 @@ impl World<'_> {
     pub fn border(&self, ray: &Ray, hit: &Hit<'_>) -> Option<Border> {
         let own_medium = hit.object.material.interface.medium();
         if self.scene.media() == 0 {
-            let (outside, inside) = (self.medium(None), own_medium.map_or(self.medium(None), Medium::from));
+            let own = own_medium.map_or(self.medium_at(None, hit.point), Medium::from);
+            let (outside, inside) = (self.medium_at(None, hit.point), own);
             let (front, behind) = if hit.outside { (outside, inside) } else { (inside, outside) };
             return Some(Border { front, behind });
         }
@@ -24,7 +26,7 @@ impl World<'_> {
         let place = ray.at(0.5 * (before + hit.distance));
         let prevails = |inside| self.prevailing(place, Some((hit.surface.primitive, inside)), |_| true);
         let (front, behind) = (prevails(!hit.outside), prevails(hit.outside));
-        let border = Border { front: self.medium(front), behind: self.medium(behind) };
+        let border = Border { front: self.medium_at(front, hit.point), behind: self.medium_at(behind, hit.point) };
         (own_medium.is_none() || front != behind).then_some(border)
     }
 
@@ -93,10 +95,42 @@ impl World<'_> {
         parts.any(|(i, (solid, _))| known(i).unwrap_or_else(|| solid.holds(place)))
     }
 
-    /// Of an object, or of the space between all of them.
-    fn medium(&self, object: Option<usize>) -> Medium {
+    /// The transparent object that a ray starts in.
+    pub fn ahead(&self, ray: &Ray) -> Option<usize> {
+        if self.scene.media() == 0 {
+            return None;
+        }
+        // Far from the surface that it leaves, for the rounding, and near, for what comes next.
+        let near = 1e-9 * (1.0 + ray.origin.largest());
+        let first = self.crossings(ray, near, |_| true).into_iter().fold(near, f64::min);
+        self.prevailing(ray.at(0.5 * first), None, |_| true)
+    }
+
+    /// The profile of an object, or of the space between all of them, if the index varies there.
+    pub fn profile(&self, object: Option<usize>) -> Option<&Profile> {
+        match self.filling(object).index {
+            Index::Profile(number) => Some(&self.profiles[usize::from(number)]),
+            Index::Constant(_) | Index::Dispersive(_) => None,
+        }
+    }
+
+    /// Of an object, or of the space between all of them; its index only if it does not vary.
+    pub fn medium(&self, object: Option<usize>) -> Medium {
+        self.filling(object).into()
+    }
+
+    /// The same, at a point.
+    fn medium_at(&self, object: Option<usize>, point: Vector) -> Medium {
+        let medium = self.medium(object);
+        match self.profile(object) {
+            Some(profile) => Medium { indices: [profile.index(point); 3], ..medium },
+            None => medium,
+        }
+    }
+
+    fn filling(&self, object: Option<usize>) -> whit::scene::Medium<f32> {
         let inside = object.and_then(|object| self.scene.objects[object].material.interface.medium());
-        inside.unwrap_or(self.scene.medium).into()
+        inside.unwrap_or(self.scene.medium)
     }
 
     fn is_transparent(&self, object: usize) -> bool {

@@ -1,9 +1,10 @@
 //! The light that a surface sends to the eye by itself: its body and its highlight.
 
-use whit::scene::{Exponent, Lobe, Material, Pattern, Shadow};
+use whit::scene::{Exponent, Lobe, Material, Pattern};
 
 use super::light::arriving;
 use super::optics::reflect;
+use super::shadow::Way;
 use super::vector::{Color, Vector};
 use super::world::{Hit, World};
 use super::{Counts, Numbers};
@@ -40,16 +41,16 @@ pub fn local(
     for (i, source) in (0..).zip(lights) {
         let dimension = FIRST_LIGHT + depth * lights.len() as u32 + i;
         let Some(arriving) = arriving(source, hit.point, dimension, numbers) else { continue };
-        let omega = arriving.direction;
+        let Some(way) = Way::to_light(world, hit, &arriving) else { continue };
+        let omega = way.direction();
         if hit.normal.dot(omega) <= 0.0 || hit.geometric.dot(omega) <= 0.0 {
             continue;
         }
         counts.shadow += 1;
-        let ray = hit.leave(omega);
-        if world.is_blocked(&ray, arriving.distance) {
+        if way.is_blocked(world) {
             continue;
         }
-        let color_of_light = arriving.color * world.clarity(&ray, arriving.distance, |o| o.shadow == Shadow::Tinted);
+        let color_of_light = arriving.color * way.clarity(world);
         if let Some((color, _, ambient, diffuse)) = body {
             light += color * color_of_light * (ambient + diffuse * hit.normal.dot(omega).max(0.0));
         }
@@ -87,6 +88,10 @@ pub fn pattern(pattern: &Pattern<f32>, point: Vector) -> Color {
         Pattern::Gradient { from, to, origin, axis } => {
             let t = (point - origin.into()).dot(axis.into()).clamp(0.0, 1.0);
             Color::from(from) * (1.0 - t) + Color::from(to) * t
+        }
+        Pattern::Rings { even, odd, center, width } => {
+            let ring = ((point - center.into()).length() / f64::from(width)).floor();
+            if ring.rem_euclid(2.0) == 0.0 { even.into() } else { odd.into() }
         }
     }
 }

@@ -62,6 +62,7 @@ pub enum Primitive {
     Sphere { center: Vector, radius: f64 },
     Plane { point: Vector, normal: Vector },
     Disc { center: Vector, normal: Vector, radius: f64 },
+    Annulus { center: Vector, normal: Vector, inner: f64, outer: f64 },
     Box { min: Vector, max: Vector },
     Triangle { vertices: [Vector; 3], normals: Option<[Vector; 3]> },
     Cone(Cone<f32>),
@@ -90,6 +91,12 @@ impl Primitive {
                 normal: Vector::from(d.normal).normalized(),
                 radius: d.radius.into(),
             }],
+            Shape::Annulus(a) => vec![Self::Annulus {
+                center: a.center.into(),
+                normal: Vector::from(a.normal).normalized(),
+                inner: a.inner.into(),
+                outer: a.outer.into(),
+            }],
             Shape::Box(b) => vec![Self::Box { min: b.min.into(), max: b.max.into() }],
             Shape::Cone(c) => vec![Self::Cone(c)],
         }
@@ -105,6 +112,13 @@ impl Primitive {
                 }
             }
             Self::Disc { center, normal, radius } => disc(*center, *normal, *radius, 0, ray, own, found),
+            Self::Annulus { center, normal, inner, outer } => {
+                disc(*center, *normal, *outer, 0, ray, own, &mut |meeting| {
+                    if (ray.at(meeting.distance) - *center).length() >= *inner {
+                        found(meeting);
+                    }
+                });
+            }
             Self::Box { min, max } => axis_box(*min, *max, ray, own, found),
             Self::Triangle { vertices, normals } => {
                 if own.is_none() {

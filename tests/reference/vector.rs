@@ -15,6 +15,8 @@ impl Vector {
         Self { x, y, z }
     }
 
+    pub const ZERO: Self = Self::new(0.0, 0.0, 0.0);
+
     pub fn dot(self, other: Self) -> f64 {
         self.x * other.x + self.y * other.y + self.z * other.z
     }

@@ -2,6 +2,8 @@
 
 use whit::scene::{Object, Scene, Shadow, Sides};
 
+use super::hole::Hole;
+use super::profile::Profile;
 use super::shapes::{Primitive, Ray, Surface};
 use super::vector::Vector;
 
@@ -10,6 +12,8 @@ pub struct World<'a> {
     pub scene: &'a Scene<'a, f32>,
     /// Each with the place of its object in the scene's list.
     pub primitives: Vec<(Primitive, usize)>,
+    pub profiles: Vec<Profile>,
+    pub hole: Option<Hole>,
 }
 
 /// What a ray sees.
@@ -39,13 +43,22 @@ impl Hit<'_> {
 impl<'a> World<'a> {
     pub fn new(scene: &'a Scene<'a, f32>) -> Self {
         let parts = |(place, object)| Primitive::all(object).into_iter().map(move |primitive| (primitive, place));
-        Self { scene, primitives: scene.objects.iter().enumerate().flat_map(parts).collect() }
+        Self {
+            scene,
+            primitives: scene.objects.iter().enumerate().flat_map(parts).collect(),
+            profiles: scene.profiles.iter().map(Profile::from).collect(),
+            hole: scene.black_hole.as_ref().map(Hole::from),
+        }
     }
 
     /// The nearest primitive that the ray meets, the first one of several.
     pub fn nearest(&self, ray: &Ray) -> Option<Hit<'a>> {
+        self.nearest_before(ray, f64::INFINITY)
+    }
+
+    /// The same, of those nearer than a distance.
+    pub fn nearest_before(&self, ray: &Ray, mut reach: f64) -> Option<Hit<'a>> {
         let mut nearest = None;
-        let mut reach = f64::INFINITY;
         for (i, (primitive, object)) in self.primitives.iter().enumerate() {
             let object = &self.scene.objects[*object];
             primitive.meet(ray, own(ray, i), &mut |meeting| {

@@ -1,20 +1,22 @@
 //! The same scene in another unit of length.
 //!
-//! Multiplied are all coordinates, lengths and radii; divided is what is counted per length: attenuation, falloff and the
-//! directions of patterns. Directions, normals, angles, colours and the thickness of films are left as they are.
+//! Multiplied are all coordinates, lengths and radii, the levels of profiles and the mass of a black hole; divided is what is
+//! counted per length: attenuation, falloff, the directions of patterns and the slopes of laws. Directions, normals, angles,
+//! colours, tolerances, shares of a distance and the thickness of films are left as they are.
 #![allow(unreachable_pub, clippy::panic, clippy::unwrap_used)]
 
 use whit::scene::{
-    Aperture, AxisBox, Cone, Disc, Emitter, Falloff, Film, Lens, PackedSpheres, Plane, SmoothTriangle, Sphere,
-    SphereList, Thickness, Triangle,
+    Annulus, Aperture, AxisBox, BlackHole, Cone, Disc, Emitter, Falloff, Film, Law, Lens, Level, Method, PackedSpheres,
+    Plane, Profile, SmoothTriangle, Sphere, SphereList, Steps, Thickness, Triangle,
 };
 use whit::{Camera, Interface, Light, Material, Medium, Object, Pattern, Scene, Shape};
 
-/// A scene with all that it refers to. Lists of primitives are never freed.
+/// A scene with all that it refers to. Lists of primitives and tables are never freed.
 pub struct Scaled {
     rest: Scene<'static, f32>,
     objects: Vec<Object<'static, f32>>,
     lights: Vec<Light<f32>>,
+    profiles: Vec<Profile<'static, f32>>,
 }
 
 impl Scaled {
@@ -35,14 +37,18 @@ impl Scaled {
                 objects: &[],
                 lights: &[],
                 tone: scene.tone,
+                profiles: &[],
+                black_hole: scene.black_hole.map(|hole| black_hole(hole, scale)),
+                shadow_rays: scene.shadow_rays,
             },
             objects: objects.collect(),
             lights: scene.lights.iter().map(|one| light(*one, scale)).collect(),
+            profiles: scene.profiles.iter().map(|one| profile(one, scale)).collect(),
         }
     }
 
     pub fn scene(&self) -> Scene<'_, f32> {
-        self.rest.with_objects(&self.objects).with_lights(&self.lights)
+        self.rest.with_objects(&self.objects).with_lights(&self.lights).with_profiles(&self.profiles)
     }
 }
 
@@ -78,6 +84,40 @@ fn medium(medium: Medium<f32>, s: f32) -> Medium<f32> {
     Medium { attenuation: medium.attenuation.map(|c| c * (1.0 / s)), ..medium }
 }
 
+fn profile(profile: &Profile<'_, f32>, s: f32) -> Profile<'static, f32> {
+    let level = match profile.level {
+        Level::Height { origin, up } => Level::Height { origin: origin * s, up },
+        Level::Radius { center, radius } => Level::Radius { center: center * s, radius: radius * s },
+    };
+    let method = match profile.method {
+        Method::Layers { thickness } => Method::Layers { thickness: thickness * s },
+        Method::Steps(Steps::Fixed { length }) => Method::Steps(Steps::Fixed { length: length * s }),
+        Method::Steps(steps @ Steps::Controlled { .. }) => Method::Steps(steps),
+    };
+    Profile { level, from: profile.from * s, to: profile.to * s, law: law(profile.law, s), method }
+}
+
+/// An index of refraction has no unit, and nor has what makes one at a level.
+fn law(law: Law<'_, f32>, s: f32) -> Law<'static, f32> {
+    match law {
+        Law::Polynomial { constant, linear, quadratic } => {
+            Law::Polynomial { constant, linear: linear / s, quadratic: quadratic / s / s }
+        }
+        Law::Exponential { far, excess, scale } => Law::Exponential { far, excess, scale: scale * s },
+        Law::Thermal { excess, ratio, scale } => Law::Thermal { excess, ratio, scale: scale * s },
+        Law::Inversion { below, above, height, thickness } => {
+            Law::Inversion { below, above, height: height * s, thickness: thickness * s }
+        }
+        Law::FishEye { index, radius } => Law::FishEye { index, radius: radius * s },
+        Law::Table { spacing, values } => Law::Table { spacing: spacing * s, values: values.to_vec().leak() },
+    }
+}
+
+/// Steps around a hole are shares of the distance from it.
+fn black_hole(hole: BlackHole<f32>, s: f32) -> BlackHole<f32> {
+    BlackHole { center: hole.center * s, mass: hole.mass * s, ..hole }
+}
+
 fn material(material: Material<f32>, s: f32) -> Material<f32> {
     let body = material.body.map(|mut body| {
         body.color = match body.color {
@@ -85,6 +125,9 @@ fn material(material: Material<f32>, s: f32) -> Material<f32> {
             Pattern::Checker { even, odd, u, v } => Pattern::Checker { even, odd, u: u * (1.0 / s), v: v * (1.0 / s) },
             Pattern::Gradient { from, to, origin, axis } => {
                 Pattern::Gradient { from, to, origin: origin * s, axis: axis * (1.0 / s) }
+            }
+            Pattern::Rings { even, odd, center, width } => {
+                Pattern::Rings { even, odd, center: center * s, width: width * s }
             }
         };
         body
@@ -127,6 +170,12 @@ fn shape(shape: &Shape<'_, f32>, s: f32) -> Shape<'static, f32> {
         Shape::Spheres(list) => Shape::Spheres(spheres(list, s)),
         Shape::Plane(p) => Shape::Plane(Plane { point: p.point * s, normal: p.normal }),
         Shape::Disc(d) => Shape::Disc(Disc { center: d.center * s, normal: d.normal, radius: d.radius * s }),
+        Shape::Annulus(a) => Shape::Annulus(Annulus {
+            center: a.center * s,
+            normal: a.normal,
+            inner: a.inner * s,
+            outer: a.outer * s,
+        }),
         Shape::Box(b) => Shape::Box(AxisBox { min: b.min * s, max: b.max * s }),
         Shape::Triangle(t) => Shape::Triangle(triangle(t)),
         Shape::Triangles(list) => Shape::Triangles(list.iter().map(triangle).collect::<Vec<_>>().leak()),
