@@ -1,6 +1,6 @@
 //! The objects around a bent path.
 
-use core::slice;
+use core::{mem, slice};
 
 use super::arrival::Landing;
 use super::piece::Piece;
@@ -10,42 +10,71 @@ use crate::scene::Object;
 
 /// The objects around a path, which are looked at as it goes on.
 ///
-/// Where a path has been searched, the distance to the nearest object is remembered; as long as it has not gone so far, no
-/// object is looked at. Then only those are that are near. So a path of many steps does not cost steps times objects.
+/// Where a path has been searched, the objects that are nearest are remembered, and the distance to the nearest of the others.
+/// As long as it has not gone so far, only the few are looked at. So a path of many steps does not cost steps times objects.
 pub(super) struct Around<'a, T> {
     objects: &'a [Object<'a, T>],
     wanted: Wanted,
-    /// No object is nearer to where the path is than this.
+    near: Near,
+    /// No other object is nearer to where the path is than this.
     clear: T,
 }
 
+/// The numbers of some objects in ascending order, and then `FREE` ones.
+type Near = [u16; 4];
+
+/// No object has this number.
+const FREE: u16 = u16::MAX;
+
 impl<'a, T: Real> Around<'a, T> {
     pub(super) fn new(objects: &'a [Object<'a, T>], wanted: Wanted) -> Self {
-        Self { objects, wanted, clear: T::ZERO }
+        Self { objects, wanted, near: [FREE; 4], clear: T::ZERO }
     }
 
-    /// Whether the path is clear of objects for this long. If so, it goes there; if not, it has to be searched.
+    /// Whether the path is clear of the other objects for this long. If so, it goes there; if not, all have to be searched.
     fn goes(&mut self, way: T) -> bool {
         self.clear -= way * T::from_f32(1.001);
         self.clear > T::ZERO
     }
 
-    /// Remembers how far from all objects the path has come out of a search.
+    /// Remembers what is near where the path has come to, and how far it is from all else.
     fn look<const EFFECTS: u64>(&mut self, point: Vec3<T>) {
-        let nearest = |nearest: T, object| nearest.min(clearance::<T, EFFECTS>(object, point));
-        self.clear = self.objects.iter().fold(T::MAX, nearest);
+        let mut nearest = self.near.map(|_| (T::MAX, FREE));
+        self.clear = T::MAX;
+        for (number, object) in (0..FREE).zip(self.objects) {
+            let (farther, _) = insert(&mut nearest, (clearance::<T, EFFECTS>(object, point), number));
+            self.clear = self.clear.min(farther);
+        }
+        // Of surfaces that are equally near, the first in the list counts.
+        self.near = [FREE; 4];
+        for (_, number) in nearest {
+            insert(&mut self.near, number);
+        }
     }
 
     /// What a ray meets before `limit`, of a path that then goes on from `way` along it.
     pub(super) fn straight<const EFFECTS: u64>(&mut self, ray: &Ray<T>, way: T, limit: T) -> Option<Hit<'a, T>> {
         if self.goes(limit) {
-            return None;
+            return self.of_the_near::<EFFECTS>(ray, limit);
         }
         let found = search::<T, EFFECTS>(self.objects, ray, limit, self.wanted);
         if found.is_none() && limit < T::FARTHEST {
             self.look::<EFFECTS>(ray.at(way));
         }
         found
+    }
+
+    /// What a ray meets of the objects that are near.
+    fn of_the_near<const EFFECTS: u64>(&self, ray: &Ray<T>, limit: T) -> Option<Hit<'a, T>> {
+        let mut best = None;
+        let mut limit = limit;
+        for object in self.near.iter().filter_map(|number| self.objects.get(usize::from(*number))) {
+            if let Some(hit) = search::<T, EFFECTS>(slice::from_ref(object), ray, limit, self.wanted) {
+                limit = just_before(hit.contact.t);
+                best = Some(hit);
+            }
+        }
+        best
     }
 
     /// The first surface that a piece meets, taken as so many chords, `before` being the length of the path so far.
@@ -55,45 +84,67 @@ impl<'a, T: Real> Around<'a, T> {
         chords: u32,
         before: T,
     ) -> Option<Landing<'a, T>> {
-        if self.goes(piece.reach()) {
-            return None;
-        }
+        let all = !self.goes(piece.reach());
         let bounds = piece.bounds();
+        let wanted = self.wanted;
         let mut best: Option<Found<'a, T>> = None;
-        for object in self.objects.iter().filter(|object| may_meet::<T, EFFECTS>(object, &bounds)) {
-            let found = self.on_chords::<EFFECTS>(object, piece, chords, best.as_ref());
-            best = found.or(best);
+        let mut meet = |object: &'a Object<'a, T>| {
+            if may_meet::<T, EFFECTS>(object, &bounds) {
+                best = on_chords::<T, EFFECTS>(object, piece, chords, wanted, best.as_ref()).or(best.take());
+            }
+        };
+        if all {
+            self.objects.iter().for_each(&mut meet);
+        } else {
+            self.near.iter().filter_map(|number| self.objects.get(usize::from(*number))).for_each(&mut meet);
         }
         let Some(Found { hit, chord, number, length }) = best else {
-            self.look::<EFFECTS>(piece.at(T::ONE));
+            if all {
+                self.look::<EFFECTS>(piece.at(T::ONE));
+            }
             return None;
         };
         let share = (T::from_u32(number) + (hit.contact.t / length).min(T::ONE)) / T::from_u32(chords);
         let direction = piece.tangent(share).normalized_or(chord.direction);
         Some(Landing { hit, chord, direction, distance: before + piece.length(share) })
     }
+}
 
-    /// The first contact of the chords of a piece with an object, if it comes before the best one so far.
-    fn on_chords<const EFFECTS: u64>(
-        &self,
-        object: &'a Object<'a, T>,
-        piece: &Piece<T>,
-        chords: u32,
-        best: Option<&Found<'a, T>>,
-    ) -> Option<Found<'a, T>> {
-        let last = best.map_or(chords.saturating_sub(1), |best| best.number);
-        (0..=last).find_map(|number| {
-            let (chord, length) = piece.chord(number, chords);
-            // A little more than the chord, so that no surface is between it and the next.
-            let slack = chord.origin.largest() * (T::from_f32(8.0) * T::ROUNDOFF);
-            let limit = match best {
-                Some(best) if number == last => best.hit.contact.t * (T::ONE - T::from_f32(32.0) * T::ROUNDOFF),
-                _ => length + slack,
-            };
-            let hit = search::<T, EFFECTS>(slice::from_ref(object), &chord, limit, self.wanted)?;
-            Some(Found { hit, chord, number, length })
-        })
+/// Puts an item into a sorted list; gives the one that has no more room.
+fn insert<X: PartialOrd, const COUNT: usize>(sorted: &mut [X; COUNT], mut item: X) -> X {
+    for place in sorted {
+        if item < *place {
+            mem::swap(&mut item, place);
+        }
     }
+    item
+}
+
+/// The limit that keeps out what is nearer by rounding alone.
+fn just_before<T: Real>(t: T) -> T {
+    t * (T::ONE - T::from_f32(32.0) * T::ROUNDOFF)
+}
+
+/// The first contact of the chords of a piece with an object, if it comes before the best one so far.
+fn on_chords<'a, T: Real, const EFFECTS: u64>(
+    object: &'a Object<'a, T>,
+    piece: &Piece<T>,
+    chords: u32,
+    wanted: Wanted,
+    best: Option<&Found<'a, T>>,
+) -> Option<Found<'a, T>> {
+    let last = best.map_or(chords.saturating_sub(1), |best| best.number);
+    (0..=last).find_map(|number| {
+        let (chord, length) = piece.chord(number, chords);
+        // A little more than the chord, so that no surface is between it and the next.
+        let slack = chord.origin.largest() * (T::from_f32(8.0) * T::ROUNDOFF);
+        let limit = match best {
+            Some(best) if number == last => just_before(best.hit.contact.t),
+            _ => length + slack,
+        };
+        let hit = search::<T, EFFECTS>(slice::from_ref(object), &chord, limit, wanted)?;
+        Some(Found { hit, chord, number, length })
+    })
 }
 
 /// A contact with a chord.

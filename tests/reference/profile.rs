@@ -105,7 +105,8 @@ impl Profile {
 
     /// The region of a point, and on a border the one that the direction leads into.
     pub fn region(&self, point: Vector, direction: Vector) -> Region {
-        let tolerance = 1e-13 * (point.largest() + self.joints.iter().fold(0.0_f64, |most, joint| most.max(joint.abs())));
+        let tolerance =
+            1e-13 * (point.largest() + self.joints.iter().fold(0.0_f64, |most, joint| most.max(joint.abs())));
         let level = self.level.at(point);
         let rising = direction.dot(self.level.gradient(point)) >= 0.0;
         let passed = |&joint: &f64| {

@@ -170,12 +170,9 @@ fn shape(shape: &Shape<'_, f32>, s: f32) -> Shape<'static, f32> {
         Shape::Spheres(list) => Shape::Spheres(spheres(list, s)),
         Shape::Plane(p) => Shape::Plane(Plane { point: p.point * s, normal: p.normal }),
         Shape::Disc(d) => Shape::Disc(Disc { center: d.center * s, normal: d.normal, radius: d.radius * s }),
-        Shape::Annulus(a) => Shape::Annulus(Annulus {
-            center: a.center * s,
-            normal: a.normal,
-            inner: a.inner * s,
-            outer: a.outer * s,
-        }),
+        Shape::Annulus(a) => {
+            Shape::Annulus(Annulus { center: a.center * s, normal: a.normal, inner: a.inner * s, outer: a.outer * s })
+        }
         Shape::Box(b) => Shape::Box(AxisBox { min: b.min * s, max: b.max * s }),
         Shape::Triangle(t) => Shape::Triangle(triangle(t)),
         Shape::Triangles(list) => Shape::Triangles(list.iter().map(triangle).collect::<Vec<_>>().leak()),
