@@ -51,17 +51,19 @@ pub fn aim(bend: Bend<'_>, origin: Vector, target: Target) -> Option<Path> {
 }
 
 impl Shot<'_> {
-    /// Offsets from the straight direction to start from. Next to a black hole the first ones may lead into it; the others
-    /// lead past it, on the side where the straight line is.
+    /// Offsets from the straight direction to start from. What starts there may get lost, in a black hole or in a layer; the
+    /// others are away from the hole, on the side where the straight line is, or to both sides along the gradient.
     fn starts(&self) -> Vec<[f64; 2]> {
+        let (away, signs) = match self.bend {
+            Bend::Hole(hole) => (self.origin - hole.center, vec![1.0]),
+            Bend::Graded(profile) => (profile.level.gradient(self.origin), vec![1.0, -1.0]),
+        };
+        let [a, b] = [away.dot(self.axes[1]), away.dot(self.axes[2])];
+        let length = a.hypot(b);
         let mut starts = vec![[0.0; 2]];
-        if let Bend::Hole(hole) = self.bend {
-            let away = self.origin - hole.center;
-            let [a, b] = [away.dot(self.axes[1]), away.dot(self.axes[2])];
-            let length = a.hypot(b);
-            if length > 0.0 {
-                starts.extend((1..=60).map(|i| [a, b].map(|x| x / length * (0.025 * f64::from(i)).tan())));
-            }
+        if length > 1e-9 * away.length() {
+            let offsets = (1..=60).map(|i| (0.025 * f64::from(i)).tan() / length);
+            starts.extend(offsets.flat_map(|share| signs.iter().map(move |sign| [a * share * sign, b * share * sign])));
         }
         starts
     }
@@ -133,7 +135,7 @@ fn cut(piece: &Piece, target: Vector, normal: Vector) -> Option<(Piece, f64)> {
     let before = |point: Vector| (point - target).dot(normal);
     if let Piece::Straight { start, length } = *piece {
         let distance = -before(start.point) / start.direction.dot(normal);
-        return (distance >= 0.0 && distance <= length).then(|| (Piece::Straight { start, length: distance }, 1.0));
+        return (0.0..=length).contains(&distance).then_some((Piece::Straight { start, length: distance }, 1.0));
     }
     let [a, b] = [0.0, 1.0].map(|share| before(piece.at(share).point));
     (a <= 0.0 && b >= 0.0).then(|| {

@@ -10,7 +10,7 @@ use super::vector::Vector;
 const TOLERANCE: f64 = 1e-13;
 
 /// More pieces of a path than that are those of light that is caught in a layer.
-const MOST: usize = 1_000_000;
+const MOST: usize = 100_000;
 
 /// A step: a polynomial of the arc length.
 #[derive(Clone, Copy, Debug)]

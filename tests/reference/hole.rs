@@ -18,7 +18,7 @@ const MOST_CHANGE: f64 = 0.2;
 const LEAST_BEND: f64 = 1e-11;
 
 /// More pieces of a path than that go round and round.
-const MOST: usize = 1_000_000;
+const MOST: usize = 100_000;
 
 /// u·M at the horizon.
 pub const HORIZON: f64 = 0.5;
@@ -59,6 +59,19 @@ impl Orbit {
         let step = step(|change| [at(change).slope, at(change).second()], h);
         let error = step.error[0].hypot(step.error[1]) / (TOLERANCE * self.u.hypot(self.slope));
         (at(&step.change), if error.is_nan() { f64::INFINITY } else { error })
+    }
+
+    /// A step that is as long as the tolerance lets it be, from the length to try first, which becomes that of the next
+    /// step.
+    pub fn controlled(&self, next: &mut f64, longest: f64) -> (f64, Self) {
+        loop {
+            let h = next.min(longest);
+            let (end, error) = self.step(h);
+            *next = h * growth(error);
+            if error <= 1.0 {
+                return (h, end);
+            }
+        }
     }
 
     fn second(&self) -> f64 {
@@ -176,14 +189,7 @@ impl Course {
     fn bent(&mut self, plane: Plane) -> Arc {
         let start = self.orbit;
         let longest = LONGEST.min(MOST_CHANGE * start.u / start.slope.abs());
-        let (mut h, mut end) = loop {
-            let h = self.h.min(longest);
-            let (end, error) = start.step(h);
-            self.h = h * growth(error);
-            if error <= 1.0 {
-                break (h, end);
-            }
-        };
+        let (mut h, mut end) = start.controlled(&mut self.h, longest);
         if end.u >= HORIZON {
             let rest = |h| {
                 let (end, _) = start.step(h);

@@ -64,6 +64,10 @@ pub fn between<V>(start: &Jet<V>, end: &Jet<V>, h: f64, share: f64) -> [V; 2]
 where
     V: Copy + Add<Output = V> + Sub<Output = V> + Mul<f64, Output = V>,
 {
+    // Exactly, for pieces of one path to join without gaps.
+    if share == 1.0 {
+        return [end.value, end.first];
+    }
     let (a, b, t) = (start, end, share);
     let rise = b.value - a.value;
     let cubic = rise * 10.0 - a.first * (6.0 * h) - b.first * (4.0 * h) + (b.second - a.second * 3.0) * (0.5 * h * h);

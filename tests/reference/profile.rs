@@ -94,7 +94,7 @@ impl Profile {
         let [from, to] = self.ends();
         let level = self.level.at(point).clamp(from, to);
         let number = self.joints.iter().rposition(|&joint| joint <= level).unwrap_or(0);
-        self.law.at(level, from, number).n
+        self.law.at(level, from, number.min(self.joints.len() - 2)).n
     }
 
     /// The index at a point by the law that holds after a joint, wherever the point is, and the gradient of the index.

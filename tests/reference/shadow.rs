@@ -11,7 +11,7 @@ use super::world::{Hit, World};
 
 /// A way to a light, past the objects or not.
 pub enum Way {
-    Straight { ray: Ray, distance: f64 },
+    Straight { towards: Vector, ray: Ray, distance: f64 },
     Bent { ray: Ray, path: Path, scale: f64 },
 }
 
@@ -21,7 +21,7 @@ impl Way {
     pub fn to_light(world: &World<'_>, hit: &Hit<'_>, arriving: &Arriving) -> Option<Self> {
         let (ray, distance) = (hit.leave(arriving.direction), arriving.distance);
         let bend = if world.scene.shadow_rays == ShadowRays::Bent { world.bend(&ray) } else { None };
-        let Some(bend) = bend else { return Some(Self::Straight { ray, distance }) };
+        let Some(bend) = bend else { return Some(Self::Straight { towards: arriving.direction, ray, distance }) };
         let target =
             if distance.is_finite() { Target::Point(ray.at(distance)) } else { Target::Direction(ray.direction) };
         let path = aim(bend, hit.point, target)?;
@@ -31,14 +31,15 @@ impl Way {
     /// Towards the light, of length 1, at its start.
     pub fn direction(&self) -> Vector {
         match self {
-            Self::Straight { ray, .. } | Self::Bent { ray, .. } => ray.direction,
+            Self::Straight { towards, .. } => *towards,
+            Self::Bent { ray, .. } => ray.direction,
         }
     }
 
     /// Whether an object with a full shadow is in the way, or the hole.
     pub fn is_blocked(&self, world: &World<'_>) -> bool {
         match self {
-            Self::Straight { ray, distance } => {
+            Self::Straight { ray, distance, .. } => {
                 let swallowed = world.hole.is_some_and(|hole| hole.blocks(ray.origin, ray.direction, *distance));
                 swallowed || world.is_blocked(ray, *distance)
             }
@@ -54,10 +55,11 @@ impl Way {
 
     /// The colour that the media leave of the light.
     pub fn clarity(&self, world: &World<'_>) -> Color {
-        let Self::Straight { ray, distance } = self else {
+        let Self::Straight { ray, distance, .. } = self else {
             let mut clarity = Color::WHITE;
             self.find(world, |span, _| {
-                clarity = clarity * world.clarity(&span.ray, span.length, |o| o.shadow == Shadow::Tinted);
+                let of_chord = world.clarity(&span.ray, span.length, |o| o.shadow == Shadow::Tinted);
+                clarity = clarity * of_chord.map(|share| share.powf(span.stretch));
                 None::<()>
             });
             return clarity;

@@ -13,7 +13,7 @@ pub fn stars(sky: Color, brightness: f64, cells: u16, radius: f64, direction: Ve
     let [s, t] = [of_face(axes[(axis + 1) % 3]), of_face(axes[(axis + 2) % 3])];
     let [i, j] = [s, t].map(|place| (place.floor() as i64).clamp(0, i64::from(cells) - 1) as u32);
     let h = mix(face.wrapping_add(6_u32.wrapping_mul(i.wrapping_add(u32::from(cells).wrapping_mul(j)))));
-    if h % 2 == 0 {
+    if h.is_multiple_of(2) {
         return sky;
     }
     let g = mix(h ^ 0x9e37_79b9);

@@ -22,12 +22,15 @@ pub struct Span {
     to: f64,
     /// Whether a primitive may be in the way; if not, the span may be far from the path.
     pub near: bool,
+    /// Of the path, by the length of the chord.
+    pub stretch: f64,
 }
 
 impl Span {
-    /// The reach for meetings: a little into the next span, so that none is lost between them.
+    /// The reach for meetings: so far into the next span that none is lost between them by rounding, even where the path
+    /// grazes a surface.
     pub fn reach(&self) -> f64 {
-        self.length * (1.0 + 1e-12) + 1e-15 * self.ray.origin.largest()
+        self.length * (1.0 + 1e-9) + 1e-11 * self.ray.origin.largest()
     }
 
     /// The share of the piece at a distance from the span's start.
@@ -56,7 +59,7 @@ impl Walk<'_> {
         if let Piece::Straight { start, length } = *self.piece {
             let length = if to < 1.0 { to * length } else { length };
             let ray = self.ray(start.point, start.direction, 0.0);
-            return visit(&Span { ray, length, from: 0.0, to, near: true });
+            return visit(&Span { ray, length, from: 0.0, to, near: true, stretch: 1.0 });
         }
         self.divide((0.0, self.piece.at(0.0)), (to, self.piece.at(to)), MOST_DEPTH, visit)
     }
@@ -82,7 +85,9 @@ impl Walk<'_> {
         }
         // A chord as short as that has no direction.
         let direction = if length > 1e-12 * a.point.largest() { chord } else { a.direction };
-        visit(&Span { ray: self.ray(a.point, direction, from), length, from, to, near })
+        let arc = self.piece.length_to(to) - self.piece.length_to(from);
+        let stretch = if length > 0.0 { arc / length } else { 1.0 };
+        visit(&Span { ray: self.ray(a.point, direction, from), length, from, to, near, stretch })
     }
 
     fn ray(&self, origin: Vector, direction: Vector, from: f64) -> Ray {
