@@ -137,7 +137,7 @@ fn on_chords<'a, T: Real, const EFFECTS: u64>(
     (0..=last).find_map(|number| {
         let (chord, length) = piece.chord(number, chords);
         // A little more than the chord, so that no surface is between it and the next.
-        let slack = chord.origin.largest() * (T::from_f32(8.0) * T::ROUNDOFF);
+        let slack = (chord.origin.largest() + length) * (T::from_f32(8.0) * T::ROUNDOFF);
         let limit = match best {
             Some(best) if number == last => just_before(best.hit.contact.t),
             _ => length + slack,

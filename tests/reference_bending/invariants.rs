@@ -122,23 +122,22 @@ fn level_of(profile: &Profile, point: Vector) -> f64 {
 #[test]
 fn the_laws_are_those_of_the_scenes() {
     use whit::Vec3;
-    use whit::scene::{Law, Level, Method, Profile};
-    let laws: [Law<'_, f32>; 7] = [
+    use whit::scene::{Law, Level, Method, Profile, Steps};
+    let laws: [Law<'_, f32>; 6] = [
         Law::Polynomial { constant: 1.2, linear: 0.4, quadratic: -0.3 },
         Law::Exponential { far: 1.0, excess: 0.6, scale: 0.4 },
         Law::Thermal { excess: 0.4, ratio: -0.7, scale: 0.3 },
         Law::Inversion { below: 0.6, above: 0.1, height: 0.5, thickness: 0.1 },
         Law::FishEye { index: 2.0, radius: 0.8 },
         Law::Table { spacing: 0.2, values: &[0.3, 0.5, 0.45, 0.7, 0.4, 0.2] },
-        // It ends before the profile does.
-        Law::Table { spacing: 0.2, values: &[0.3, 0.5] },
     ];
     for law in laws {
         for level in [
             Level::Height { origin: Vec3::new(0.0, 0.1, 0.0), up: Vec3::new(0.0, 1.0, 0.0) },
             Level::Radius { center: Vec3::new(0.1, -0.5, 0.0), radius: 0.4 },
         ] {
-            let profile = Profile { level, from: 0.2, to: 1.1, law, method: Method::Layers { thickness: 0.1 } };
+            let method = Method::Steps(Steps::Fixed { length: 0.1 });
+            let profile = Profile { level, from: 0.2, to: 1.1, law, method };
             let exact = super::reference::profile::Profile::from(&profile);
             for i in -10..=40 {
                 let point = Vec3::new(0.03, 0.05 * i as f32, 0.2);

@@ -58,7 +58,7 @@ pub enum Law<'a, T> {
     Table {
         /// Between levels, in scene units.
         spacing: T,
-        /// n − 1, two at least.
+        /// n − 1, two at least, for all levels up to `to`.
         values: &'a [T],
     },
 }

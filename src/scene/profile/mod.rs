@@ -80,14 +80,12 @@ pub(crate) struct Square<T> {
 }
 
 impl<T: Real> Profile<'_, T> {
-    /// The index of refraction at a point.
+    /// The index of refraction at a point; where the medium is cut into layers, that of the layer.
     pub fn index(&self, point: Vec3<T>) -> T {
-        let level = self.level.at(point).max(self.from).min(self.to);
-        (T::ONE + self.square::<{ Effects::ALL.bits() }>(level).excess).sqrt()
+        self.index_at::<{ Effects::ALL.bits() }>(point)
     }
 
-    /// The index of refraction that light has at a point, by a tracer of these effects: where the medium is cut into layers,
-    /// that of the layer.
+    /// The index of refraction at a point, by a tracer of these effects.
     pub(crate) fn index_at<const EFFECTS: u64>(&self, point: Vec3<T>) -> T {
         let level = self.level.of::<EFFECTS>(point);
         let held = match self.method {

@@ -1,12 +1,12 @@
 //! Profiles of media, and what bends light.
 
 use super::number::{Fault, POSITIVE, check, ensure, length, minus, point, positive, unit, within};
-use crate::math::Vec3;
+use crate::math::{Real, Vec3};
 use crate::scene::{BlackHole, Law, Level, Method, Profile, Steps};
 
 const INDEX: &str = "numbers that give an index of refraction from 1e-3 to 1e3 between the levels `from` and `to`";
-pub(super) const TABLE: &str =
-    "two values at least, each of an index from 0.1 to 10, and at most twice its neighbour's";
+const TABLE: &str = "two values at least, each of an index from 0.1 to 10 and at most 3/2 of its neighbour's";
+const SHORT: &str = "values for all levels from `from` to `to`";
 const LAYERS: &str = "a thickness that makes at most 65535 layers";
 
 impl Profile<'_, f32> {
@@ -67,8 +67,8 @@ impl Law<'_, f32> {
                 is_index(n) && is_index(n / (1.0 + a * a)) && is_index(n / (1.0 + b * b))
             }
             Law::Table { spacing, values } => {
-                ensure!(positive(spacing, "law.spacing"));
-                return check(is_table(values), "law.values", TABLE);
+                ensure!(check(is_table(values), "law.values", TABLE));
+                return check_table(spacing, values.len(), to - from);
             }
         };
         check(ok, "law", INDEX)
@@ -128,15 +128,22 @@ const fn is_table(values: &[f32]) -> bool {
         if !within(values[i], -0.9, 9.0) {
             return false;
         }
-        if i > 0 {
-            let (a, b) = (1.0 + values[i - 1], 1.0 + values[i]);
-            if a > 2.0 * b || b > 2.0 * a {
-                return false;
-            }
+        if i > 0 && !are_neighbours(values[i - 1], values[i]) {
+            return false;
         }
         i += 1;
     }
     values.len() >= 2
+}
+
+const fn are_neighbours(a: f32, b: f32) -> bool {
+    within((1.0 + a) / (1.0 + b), 2.0 / 3.0, 3.0 / 2.0)
+}
+
+/// The spacing of a table of so many values, which reach over `span`, to a rounding.
+const fn check_table(spacing: f32, count: usize, span: f32) -> Result<(), Fault> {
+    ensure!(positive(spacing, "law.spacing"));
+    check((count as f32 - 1.0) * spacing >= 0.9999 * span, "law.values", SHORT)
 }
 
 /// e^(−x), with x held between −40 and 40, in constant evaluation: five terms of its series at x/2¹², squared twelve times.
@@ -156,6 +163,24 @@ const fn decay(x: f32) -> f64 {
         i += 1;
     }
     power
+}
+
+impl<T: Real> Profile<'_, T> {
+    /// The same check for every number type. A table is not converted as a whole, but value by value.
+    pub(super) fn check_any(&self) -> Result<(), Fault> {
+        if let Some(profile) = self.map(T::to_f32) {
+            return profile.check();
+        }
+        let Law::Table { spacing, values } = self.law else { return Ok(()) };
+        let even = Law::Polynomial { constant: 0.0, linear: 0.0, quadratic: 0.0 };
+        let rest = self.map_with_law(even, T::to_f32);
+        rest.check()?;
+        let single = |value: &T| within(value.to_f32(), -0.9, 9.0);
+        let pair = |pair: &[T]| matches!(pair, [a, b] if are_neighbours(a.to_f32(), b.to_f32()));
+        let ok = values.len() >= 2 && values.iter().all(single) && values.windows(2).all(pair);
+        check(ok, "law.values", TABLE)?;
+        check_table(spacing.to_f32(), values.len(), rest.to - rest.from)
+    }
 }
 
 #[cfg(test)]
