@@ -71,6 +71,7 @@ impl Source {
         match self {
             Self::BuiltIn { name, .. } => trace_built_in!(
                 name, job; SHOWCASE SPHERES MIRRORS FLAKE CARD METALS WINDOW GLASS DEEP TINTS BUBBLE OIL TITANIUM PRISM
+                MIRAGE SHIP SUNSET LENSES HOLE
             ),
             Self::File { scene, .. } => {
                 let scene = scene.as_scene().ok_or("the file was not read")?;

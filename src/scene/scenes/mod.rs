@@ -5,12 +5,17 @@ mod card;
 mod deep;
 mod flake;
 mod glass;
+mod hole;
+mod lenses;
 mod metals;
+mod mirage;
 mod mirrors;
 mod oil;
 mod prism;
+mod ship;
 mod showcase;
 mod spheres;
+mod sunset;
 mod tints;
 mod titanium;
 mod window;
@@ -20,12 +25,17 @@ pub use card::CARD;
 pub use deep::DEEP;
 pub use flake::{FLAKE, flake_spheres};
 pub use glass::GLASS;
+pub use hole::HOLE;
+pub use lenses::LENSES;
 pub use metals::METALS;
+pub use mirage::MIRAGE;
 pub use mirrors::MIRRORS;
 pub use oil::OIL;
 pub use prism::PRISM;
+pub use ship::SHIP;
 pub use showcase::SHOWCASE;
 pub use spheres::SPHERES;
+pub use sunset::SUNSET;
 pub use tints::TINTS;
 pub use titanium::TITANIUM;
 pub use window::WINDOW;
@@ -34,7 +44,7 @@ use super::{Pattern, Scene};
 use crate::math::{Rgb, Vec3};
 
 /// All built-in scenes by name.
-pub const ALL: [(&str, Scene<'static, f32>); 14] = [
+pub const ALL: [(&str, Scene<'static, f32>); 19] = [
     ("showcase", SHOWCASE),
     ("spheres", SPHERES),
     ("mirrors", MIRRORS),
@@ -49,6 +59,11 @@ pub const ALL: [(&str, Scene<'static, f32>); 14] = [
     ("oil", OIL),
     ("titanium", TITANIUM),
     ("prism", PRISM),
+    ("mirage", MIRAGE),
+    ("ship", SHIP),
+    ("sunset", SUNSET),
+    ("lenses", LENSES),
+    ("hole", HOLE),
 ];
 
 /// Upwards in the scenes of this crate's own; y is up.
