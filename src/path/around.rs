@@ -3,7 +3,7 @@
 use core::{mem, slice};
 
 use super::arrival::Landing;
-use super::piece::Piece;
+use super::piece::{MOST_CHORDS, Piece};
 use crate::intersect::{Hit, Ray, Wanted, clearance, may_meet, search};
 use crate::math::{Real, Vec3};
 use crate::scene::Object;
@@ -98,14 +98,17 @@ impl<'a, T: Real> Around<'a, T> {
         } else {
             self.near.iter().filter_map(|number| self.objects.get(usize::from(*number))).for_each(&mut meet);
         }
-        let Some(Found { hit, chord, number, length }) = best else {
+        let Some(mut found) = best else {
             if all {
                 self.look::<EFFECTS>(piece.at(T::ONE));
             }
             return None;
         };
-        let share = (T::from_u32(number) + (hit.contact.t / length).min(T::ONE)) / T::from_u32(chords);
-        let direction = piece.tangent(share).normalized_or(chord.direction);
+        if chords == MOST_CHORDS {
+            found = found.closer::<EFFECTS>(piece, wanted);
+        }
+        let Found { hit, chord, share, .. } = found;
+        let direction = piece.direction(share);
         Some(Landing { hit, chord, direction, distance: before + piece.length(share) })
     }
 }
@@ -143,7 +146,8 @@ fn on_chords<'a, T: Real, const EFFECTS: u64>(
             _ => length + slack,
         };
         let hit = search::<T, EFFECTS>(slice::from_ref(object), &chord, limit, wanted)?;
-        Some(Found { hit, chord, number, length })
+        let share = (T::from_u32(number) + (hit.contact.t / length).min(T::ONE)) / T::from_u32(chords);
+        Some(Found { hit, chord, number, share })
     })
 }
 
@@ -151,7 +155,29 @@ fn on_chords<'a, T: Real, const EFFECTS: u64>(
 struct Found<'a, T> {
     hit: Hit<'a, T>,
     chord: Ray<T>,
-    /// Which of the chords, and how long it is.
+    /// Which of the chords.
     number: u32,
-    length: T,
+    /// Where on the piece.
+    share: T,
+}
+
+impl<'a, T: Real> Found<'a, T> {
+    /// The same contact with ever shorter chords around it, for a piece that bends too much for the most chords there are.
+    fn closer<const EFFECTS: u64>(mut self, piece: &Piece<T>, wanted: Wanted) -> Self {
+        let mut half = T::from_f32(0.125) / T::from_u32(MOST_CHORDS);
+        for _ in 0..2 {
+            let (from, to) = ((self.share - half).max(T::ZERO), (self.share + half).min(T::ONE));
+            let (chord, length) = piece.chord_between(from, to);
+            let found = search::<T, EFFECTS>(slice::from_ref(self.hit.object), &chord, length, wanted);
+            match found {
+                Some(hit) if hit.contact.front() == self.hit.contact.front() => {
+                    let share = from + (to - from) * (hit.contact.t / length);
+                    self = Self { hit, chord, share, ..self };
+                }
+                _ => break,
+            }
+            half *= T::from_f32(0.25);
+        }
+        self
+    }
 }

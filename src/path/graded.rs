@@ -147,7 +147,7 @@ impl<'a, T: Real> Journey<'_, 'a, T> {
             };
             let mut direction = curve.direction();
             if let Some((share, _)) = border {
-                direction = piece.tangent(share).normalized_or(direction);
+                direction = piece.direction(share);
                 piece = piece.up_to(share);
             }
             let chords = curve.pace.chords(&piece);

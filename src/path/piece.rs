@@ -22,12 +22,14 @@ pub(super) struct Phase<T> {
 pub(super) struct Piece<T> {
     /// Its Bézier points; the curve lies between them.
     points: [Vec3<T>; 4],
+    /// The Bézier points of its momentum. Differences of its points would have few digits on a short piece far from the origin.
+    momenta: [Vec3<T>; 3],
     /// How much it bends, in radians, roughly.
     pub bend: T,
 }
 
 /// The most chords of a piece.
-const MOST_CHORDS: u32 = 64;
+pub(super) const MOST_CHORDS: u32 = 64;
 
 impl<T: Real> Piece<T> {
     /// The piece between two places that are τ apart.
@@ -35,8 +37,11 @@ impl<T: Real> Piece<T> {
         let third = tau * T::from_f32(1.0 / 3.0);
         let points =
             [from.position, from.position + from.momentum * third, to.position - to.momentum * third, to.position];
+        let (before, after) = (from.acceleration * tau, to.acceleration * tau);
+        let middle = (from.momentum + to.momentum + (before - after) * T::HALF) * T::HALF;
+        let momenta = [from.momentum, middle, to.momentum];
         let bend = (to.momentum - from.momentum).length() / from.momentum.length();
-        Self { points, bend }
+        Self { points, momenta, bend }
     }
 
     /// The point at a share of the piece.
@@ -58,6 +63,13 @@ impl<T: Real> Piece<T> {
         half * (T::TWO + T::ONE)
     }
 
+    /// Where it goes at a share, a unit vector.
+    pub(super) fn direction(&self, share: T) -> Vec3<T> {
+        let [a, b, c] = self.momenta;
+        let rest = T::ONE - share;
+        (a * (rest * rest) + b * (T::TWO * rest * share) + c * (share * share)).normalized()
+    }
+
     /// The length up to a share, by Simpson's rule.
     pub(super) fn length(&self, share: T) -> T {
         let [from, middle, to] = [T::ZERO, share * T::HALF, share].map(|share| self.tangent(share).length());
@@ -66,7 +78,7 @@ impl<T: Real> Piece<T> {
 
     /// Where it is at a share, and where it goes there.
     pub(super) fn ray(&self, share: T) -> Ray<T> {
-        Ray { origin: self.at(share), direction: self.tangent(share).normalized() }
+        Ray { origin: self.at(share), direction: self.direction(share) }
     }
 
     /// A distance that no point of it is farther from its start than.
@@ -92,7 +104,10 @@ impl<T: Real> Piece<T> {
         let mix = |from: Vec3<T>, to: Vec3<T>| from + (to - from) * share;
         let (ab, bc, cd) = (mix(a, b), mix(b, c), mix(c, d));
         let (abc, bcd) = (mix(ab, bc), mix(bc, cd));
-        Self { points: [a, ab, abc, mix(abc, bcd)], bend: self.bend * share }
+        let [from, middle, to] = self.momenta;
+        let (before, after) = (mix(from, middle), mix(middle, to));
+        let momenta = [from, before, mix(before, after)];
+        Self { points: [a, ab, abc, mix(abc, bcd)], momenta, bend: self.bend * share }
     }
 
     /// Where `height` is 0 on a piece where it is not above 0 first and above 0 at last: by regula falsi, with the Illinois
@@ -125,9 +140,14 @@ impl<T: Real> Piece<T> {
     /// One of so many chords, and its length.
     pub(super) fn chord(&self, number: u32, of: u32) -> (Ray<T>, T) {
         let share = |i: u32| T::from_u32(i) / T::from_u32(of);
-        let (from, to) = (self.at(share(number)), self.at(share(number + 1)));
-        let length = (to - from).length();
-        let direction = (to - from).normalized_or(self.tangent(share(number)).normalized());
-        (Ray { origin: from, direction }, length)
+        self.chord_between(share(number), share(number + 1))
+    }
+
+    /// The chord between two shares, and its length.
+    pub(super) fn chord_between(&self, from: T, to: T) -> (Ray<T>, T) {
+        let origin = self.at(from);
+        let way = self.at(to) - origin;
+        let direction = way.normalized_or(self.direction(from));
+        (Ray { origin, direction }, way.length())
     }
 }

@@ -2,7 +2,7 @@
 
 use whit::scene::Steps;
 
-use crate::exact::orbit::{Orbit, impact_parameter};
+use crate::orbit::{Orbit, impact_parameter};
 use crate::support::{ENOUGH, assert_below, distance, halved, hole, landing, order, tenths};
 use crate::world::{End, Number, Start, Target, Vector, World};
 
@@ -101,7 +101,7 @@ fn exact_outside(start: &Start, radius: f64) -> Option<(Vector, Vector)> {
         orbit = orbit.after(1e-3);
         let (point, direction) = orbit.place();
         let r = distance(point, [0.0; 3]);
-        let outwards = crate::exact::orbit::dot(point, direction) > 0.0;
+        let outwards = crate::orbit::dot(point, direction) > 0.0;
         if outwards && r > radius {
             return (r < 2.0 * radius).then_some((point, direction));
         }

@@ -3,7 +3,7 @@
 use whit::scene::Steps;
 
 use crate::exact::deflection::CRITICAL;
-use crate::exact::orbit::impact_parameter;
+use crate::orbit::impact_parameter;
 use crate::support::{ENOUGH, assert_below, halved, hole, order, start};
 use crate::world::{End, Number, Start, World};
 

@@ -5,7 +5,7 @@ use whit::scene::{Law, Level, Method, Profile};
 
 use crate::exact::glass::{exponential, fish_eye, linear, luneburg, parabolic};
 use crate::exact::mirage::air;
-use crate::exact::orbit::{length, plus};
+use crate::orbit::{length, plus};
 use crate::support::{assert_below, controlled, fixed, halved, landing, layers, mean, order, start, tenths, walled};
 use crate::world::{Bend, Number, Start, Target, Vector, World};
 

@@ -3,7 +3,7 @@
 use whit::scene::Method;
 
 use crate::exact::glass::{conjugate, fish_eye, luneburg, luneburg_direction};
-use crate::exact::orbit::dot;
+use crate::orbit::dot;
 use crate::support::{
     assert_below, controlled, distance, fixed, halved, landing, layers, mean, number, order, rows, start, tenths,
     walled,

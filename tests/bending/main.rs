@@ -6,7 +6,8 @@
 
 #[path = "../../examples/bending/exact/mod.rs"]
 mod exact;
-#[path = "../../examples/bending/world.rs"]
+#[allow(dead_code)] // The page uses more of it.
+#[path = "../../examples/bending/world/mod.rs"]
 mod world;
 
 mod behind_a_hole;
@@ -17,6 +18,7 @@ mod glass;
 mod layered_air;
 mod lenses;
 mod mirage;
+mod orbit;
 mod out_of_steps;
 mod reversal;
 mod support;

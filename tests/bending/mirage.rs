@@ -1,8 +1,9 @@
 //! Light over a hot road: down, round and up again, or to the ground.
 
-use whit::scene::Method;
+use whit::Vec3;
+use whit::scene::{Level, Method, Profile};
 
-use crate::exact::mirage::air;
+use crate::exact::mirage::{air, turning};
 use crate::support::{
     ENOUGH, UP, assert_below, controlled, fixed, halved, landing, layers, mean, number, order, rows, start, tenths,
     walled,
@@ -90,5 +91,19 @@ fn steep_light_meets_the_ground() {
                 assert_eq!(object, usize::from(turn.is_none()), "{from:?} {method:?}");
             }
         }
+    }
+}
+
+/// A road 100 m above the origin: the place has fewer digits there, the direction has not.
+#[test]
+fn directions_keep_their_digits_far_from_the_origin() {
+    const HEIGHT: f64 = 100.0;
+    let angle = 5e-3_f64;
+    let (_, away) = turning(1.5, angle).unwrap();
+    for method in [controlled(1e-5), fixed(1.0), fixed(0.25), layers(1e-3)] {
+        let level = Level::Height { origin: Vec3::new(0.0, HEIGHT, 0.0), up: Vec3::new(0.0, 1.0, 0.0) };
+        let world = walled(Profile { level, ..air(method) }, 2.0 * away);
+        let (_, direction) = landing::<f32>(&world, &start(0.0, HEIGHT + 1.5, -angle));
+        assert_below(&format!("{method:?}"), (direction[1] / angle - 1.0).abs(), 3e-4);
     }
 }

@@ -74,3 +74,19 @@ fn walls_between_steps_are_met() {
         }
     }
 }
+
+/// Steps of fixed length are as many as fit in the path, and one for the rest of it.
+#[test]
+fn steps_are_counted() {
+    for length in [0.3, 0.1, 0.01] {
+        let (world, from) = (walled(linear(fixed(length)), 2.0), start(0.0, 0.0, 0.3));
+        for (steps, end) in [
+            (world.steps::<f32>(&from), world.follow::<f32>(&from, ENOUGH)),
+            (world.steps::<f64>(&from), world.follow::<f64>(&from, ENOUGH)),
+        ] {
+            let End::Surface { distance, .. } = end else { panic!("{end:?}") };
+            let (counted, fitting) = (f64::from(steps.unwrap()), distance / length);
+            assert!((counted - fitting).abs() < 0.02 * fitting + 1.5, "{counted} {fitting}");
+        }
+    }
+}

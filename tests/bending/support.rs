@@ -2,10 +2,8 @@
 
 use whit::scene::{Method, Profile, Steps};
 
+pub use crate::world::ENOUGH;
 use crate::world::{Bend, End, Number, Start, Target, Vector, World};
-
-/// More than any path here takes.
-pub const ENOUGH: u16 = u16::MAX;
 
 pub const UP: Vector = [0.0, 1.0, 0.0];
 

@@ -3,7 +3,7 @@
 use crate::exact::deflection::{closest_approach, deflection};
 use crate::exact::glass::exponential_height;
 use crate::exact::mirage;
-use crate::exact::orbit::Orbit;
+use crate::orbit::Orbit;
 use crate::support::{distance, number, rows, start};
 use crate::world::End;
 

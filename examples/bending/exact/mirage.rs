@@ -9,7 +9,7 @@ const EXCESS: f64 = 0.000_263;
 const RATIO: f64 = 0.1;
 const SCALE: f64 = 0.02;
 /// Above this height the index varies by less than 1e-17.
-const TOP: f64 = 0.6;
+pub const TOP: f64 = 0.6;
 
 /// That air.
 pub fn air(method: Method<f64>) -> Profile<'static, f64> {

@@ -3,4 +3,3 @@
 pub mod deflection;
 pub mod glass;
 pub mod mirage;
-pub mod orbit;

@@ -2,39 +2,16 @@
 //!
 //! A world is described in `f64`; [`World::follow`] rounds it to the number type in question.
 
-use whit::scene::{BlackHole, Index, Law, Level, Medium, Method, Profile, Steps};
-use whit::{Background, Camera, Destination, Effects, Material, Object, Ray, Real, Rgb, Scene, Shape, Tracer, Vec3};
+mod number;
+mod rounded;
+
+pub use number::Number;
+use rounded::{profile_of, steps_of};
+use whit::scene::{BlackHole, Index, Law, Medium, Profile, Steps};
+use whit::{Background, Camera, Destination, Effects, Material, Object, Ray, Rgb, Scene, Shape, Tracer, Vec3};
 
 /// A point or a direction.
 pub type Vector = [f64; 3];
-
-/// A number type of the library and its way from and to `f64`.
-pub trait Number: Real {
-    fn of(x: f64) -> Self;
-    fn get(self) -> f64;
-
-    fn vector([x, y, z]: Vector) -> Vec3<Self> {
-        Vec3::new(Self::of(x), Self::of(y), Self::of(z))
-    }
-}
-
-impl Number for f32 {
-    fn of(x: f64) -> Self {
-        x as f32
-    }
-    fn get(self) -> f64 {
-        f64::from(self)
-    }
-}
-
-impl Number for f64 {
-    fn of(x: f64) -> Self {
-        x
-    }
-    fn get(self) -> f64 {
-        self
-    }
-}
 
 /// How a path starts.
 #[derive(Clone, Copy, Debug)]
@@ -79,18 +56,22 @@ pub enum End {
     OutOfSteps,
 }
 
-/// A tracer of any scene.
-pub type Any<'a, T> = Tracer<'a, T, { Effects::ALL.bits() }, 1, 1>;
+/// More steps than any path takes.
+pub const ENOUGH: u16 = u16::MAX;
+
+/// A tracer of certain effects.
+pub type Certain<'a, T, const EFFECTS: u64> = Tracer<'a, T, EFFECTS, 1, 1>;
+const ALL: u64 = Effects::ALL.bits();
 
 impl World<'_> {
     /// Where a path ends that takes at most so many steps.
     pub fn follow<T: Number>(&self, start: &Start, steps: u16) -> End {
-        self.with_tracer::<T, _>(|tracer| end(tracer.destination(&ray(start), steps)))
+        self.with_tracer::<T, ALL, _>(|tracer| end(tracer.destination(&ray(start), steps)))
     }
 
     /// The fewest steps in which a path gets to its end; `None` if 65535 are too few.
     pub fn steps<T: Number>(&self, start: &Start) -> Option<u16> {
-        self.with_tracer::<T, _>(|tracer| {
+        self.with_tracer::<T, ALL, _>(|tracer| {
             let arrives = |steps| !matches!(tracer.destination(&ray::<T>(start), steps), Destination::OutOfSteps);
             let (mut low, mut high) = (0, 1);
             while !arrives(high) {
@@ -107,7 +88,10 @@ impl World<'_> {
     }
 
     /// Calls a function with the tracer of this world.
-    pub fn with_tracer<T: Number, R>(&self, use_it: impl FnOnce(&Any<'_, T>) -> R) -> R {
+    pub fn with_tracer<T: Number, const EFFECTS: u64, R>(
+        &self,
+        use_it: impl FnOnce(&Certain<'_, T, EFFECTS>) -> R,
+    ) -> R {
         let white = Material::matte(Rgb::WHITE);
         let objects: Vec<_> = self.targets.iter().map(|target| Object::new(target.shape::<T>(), white)).collect();
         let (mut values, mut profiles) = (Vec::new(), Vec::new());
@@ -115,7 +99,7 @@ impl World<'_> {
             if let Law::Table { values: table, .. } = profile.law {
                 values = table.iter().map(|&x| T::of(x)).collect();
             }
-            profiles.push(rounded(profile, &values));
+            profiles.push(profile_of(profile, &values));
         }
         let camera = Camera::with_half_height(T::vector(EYE), Vec3::ZERO, T::vector([0.0, 1.0, 0.0]), T::HALF);
         let mut scene = Scene::new(camera, Background::Solid(Rgb::WHITE)).with_objects(&objects);
@@ -132,7 +116,7 @@ impl World<'_> {
         }
         match Tracer::try_new(&scene) {
             Ok(tracer) => use_it(&tracer),
-            Err(error) => panic!("{error}: {self:?}"),
+            Err(error) => unreachable!("{error}: {self:?}"),
         }
     }
 }
@@ -165,48 +149,5 @@ fn end<T: Number>(destination: Destination<T>) -> End {
         Destination::Away(direction) => End::Away(double(direction)),
         Destination::Captured => End::Captured,
         Destination::OutOfSteps => End::OutOfSteps,
-    }
-}
-
-/// A profile in another number type; `values` are those of its table, if it has one.
-fn rounded<'b, T: Number>(profile: &Profile<'_, f64>, values: &'b [T]) -> Profile<'b, T> {
-    let &Profile { level, from, to, law, method } = profile;
-    let level = match level {
-        Level::Height { origin, up } => Level::Height { origin: origin.map(T::of), up: up.map(T::of) },
-        Level::Radius { center, radius } => Level::Radius { center: center.map(T::of), radius: T::of(radius) },
-    };
-    let method = match method {
-        Method::Layers { thickness } => Method::Layers { thickness: T::of(thickness) },
-        Method::Steps(steps) => Method::Steps(steps_of(steps)),
-    };
-    Profile { level, from: T::of(from), to: T::of(to), law: law_of(law, values), method }
-}
-
-fn law_of<'b, T: Number>(law: Law<'_, f64>, values: &'b [T]) -> Law<'b, T> {
-    match law {
-        Law::Polynomial { constant, linear, quadratic } => {
-            Law::Polynomial { constant: T::of(constant), linear: T::of(linear), quadratic: T::of(quadratic) }
-        }
-        Law::Exponential { far, excess, scale } => {
-            Law::Exponential { far: T::of(far), excess: T::of(excess), scale: T::of(scale) }
-        }
-        Law::Thermal { excess, ratio, scale } => {
-            Law::Thermal { excess: T::of(excess), ratio: T::of(ratio), scale: T::of(scale) }
-        }
-        Law::Inversion { below, above, height, thickness } => Law::Inversion {
-            below: T::of(below),
-            above: T::of(above),
-            height: T::of(height),
-            thickness: T::of(thickness),
-        },
-        Law::FishEye { index, radius } => Law::FishEye { index: T::of(index), radius: T::of(radius) },
-        Law::Table { spacing, .. } => Law::Table { spacing: T::of(spacing), values },
-    }
-}
-
-fn steps_of<T: Number>(steps: Steps<f64>) -> Steps<T> {
-    match steps {
-        Steps::Fixed { length } => Steps::Fixed { length: T::of(length) },
-        Steps::Controlled { tolerance } => Steps::Controlled { tolerance: T::of(tolerance) },
     }
 }
