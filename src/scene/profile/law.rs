@@ -125,14 +125,16 @@ impl<T: Real> Law<'_, T> {
         }
     }
 
-    /// The length over which the law changes its ways; the largest number where it has none.
+    /// The length over which the law changes its ways, of which a step does not go past anything; the largest number where
+    /// it has none.
     pub(super) fn feature(&self) -> T {
         match *self {
             Self::Polynomial { .. } => T::MAX,
-            Self::Exponential { scale, .. } | Self::Thermal { scale, .. } => scale,
-            Self::Inversion { thickness, .. } => thickness,
+            // The places that a step looks at are at most half of it apart.
+            Self::Exponential { scale, .. } | Self::Thermal { scale, .. } => scale * T::from_f32(4.0),
+            Self::Inversion { thickness, .. } => thickness * T::from_f32(3.0),
             Self::FishEye { radius, .. } => radius,
-            Self::Table { spacing, .. } => spacing,
+            Self::Table { spacing, .. } => spacing * T::TWO,
         }
     }
 
