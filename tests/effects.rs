@@ -1,6 +1,12 @@
 //! Effects: what scenes call for, and tracers that leave it out.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
+#[path = "support/bent.rs"]
+mod bent;
+#[path = "../examples/effects/scenes.rs"]
+#[allow(unused_macros, unused_imports)] // Here they are named one by one.
+mod pairs;
+
 use whit::render::{LinearRgb, Size};
 use whit::trace::TracerError;
 use whit::{Effects, Frame, Rgb, Scene, SceneBuf, Settings, Tracer, Vec3, scenes};
@@ -53,7 +59,24 @@ fn pruned_code_draws_the_same_picture() {
     same!(scenes::OIL);
     same!(scenes::TITANIUM);
     same!(scenes::PRISM);
+    same!(pairs::RINGS);
+    same!(pairs::STARS);
+    same!(pairs::ANNULUS);
+    same!(pairs::HEIGHT);
+    same!(pairs::RADIUS);
+    same!(pairs::HEIGHT_AND_RADIUS);
+    same!(pairs::HEIGHT_BY_LAYERS);
+    same!(pairs::HEIGHT_IN_FIXED_STEPS);
+    same!(pairs::POLYNOMIAL);
+    same!(pairs::FISH_EYE);
+    same!(pairs::TABULATED);
+    same!(pairs::BENT_SHADOWS);
+    same!(pairs::BLACK_HOLE);
+    same!(NOTHING_TO_BEND);
 }
+
+/// Bent shadow rays in a scene that bends no light are straight, as they are without the effect.
+const NOTHING_TO_BEND: Scene<'static, f32> = pairs::SPHERE.with_bent_shadows();
 
 #[test]
 fn missing_effects_are_named() {
@@ -88,6 +111,41 @@ fn buffers_hold_copies_in_any_number_type() {
     assert!(off <= 4, "{off} pixels differ between f32 and f64");
     let full = SceneBuf::<f32, 49, 2>::from_scene(&scenes::CARD, |x| x).map(|_| ()).unwrap_err();
     assert_eq!(full.to_string(), "no room for another object: the capacity is 49");
+}
+
+/// What bends light is copied too, but for tables; and it is bent in `f64` as it is in `f32`.
+#[test]
+fn buffers_hold_what_bends_light() {
+    let draw = |scene: &Scene<'_, f32>| {
+        let mut pixels = vec![Rgb::BLACK; 24 * 18];
+        let mut target = LinearRgb::new(Size::new(24, 18), &mut pixels).unwrap();
+        let tracer = Tracer::<f32, { Effects::ALL.bits() }, 5, 8>::try_new(scene).unwrap();
+        Frame::new(&tracer, Settings::new(24, 18)).unwrap().render(&mut target).unwrap();
+        pixels
+    };
+    for (name, scene) in bent::scenes() {
+        let copy = SceneBuf::<f32, 8, 2, 2>::from_scene(&scene, |x| x);
+        let wide = SceneBuf::<f64, 8, 2, 2>::from_scene(&scene, f64::from);
+        let (Ok(copy), Ok(wide)) = (copy, wide) else {
+            assert!(scene.effects().has(Effects::TABLE_LAW), "{name}");
+            continue;
+        };
+        assert_eq!(copy.as_scene(), scene, "{name}");
+        let single = draw(&scene);
+        let mut pixels = vec![Rgb::BLACK; 24 * 18];
+        let mut target = LinearRgb::new(Size::new(24, 18), &mut pixels).unwrap();
+        let wide = wide.as_scene();
+        let tracer = Tracer::<f64, { Effects::ALL.bits() }, 5, 8>::try_new(&wide).unwrap();
+        Frame::new(&tracer, Settings::new(24, 18)).unwrap().render(&mut target).unwrap();
+        let off = pixels.iter().zip(&single).filter(|(a, b)| (a.r - b.r).abs() > 2.0 / 255.0).count();
+        println!("{name:38} {off} of 432 pixels differ between f32 and f64");
+        assert!(off < 432 / 10, "{name}: {off} pixels differ between f32 and f64");
+    }
+    let few = SceneBuf::<f32, 8, 2, 1>::from_scene(&bent::scenes()[0].1, |x| x).map(|_| ()).unwrap_err();
+    assert_eq!(few.to_string(), "no room for another profile: the capacity is 1");
+    let table = bent::scenes().into_iter().find(|(_, scene)| scene.effects().has(Effects::TABLE_LAW)).unwrap().1;
+    let error = SceneBuf::<f64, 8, 2, 2>::from_scene(&table, f64::from).map(|_| ()).unwrap_err();
+    assert_eq!(error.what, "table in another number type");
 }
 
 /// Every number that is out of its range is refused by the name of its object and its field.

@@ -1,11 +1,14 @@
 //! Frames: the same bits however they are cut into steps, rows, orders and workers; budgets and their counts.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
+#[path = "support/bent.rs"]
+mod bent;
 #[path = "support/framebuffers.rs"]
 mod framebuffers;
 
 use framebuffers::{Counting, Failing, Failure};
 use whit::render::{LinearRgb, Order, Progress, RenderError, Sampling, SettingsError, Size};
+use whit::scene::ShadowRays;
 use whit::trace::{Budget, Dropped, Termination};
 use whit::{Effects, Frame, Medium, Rgb, Scene, Settings, Stats, Tracer, scenes};
 
@@ -59,6 +62,92 @@ fn steps_do_not_change_a_bit() {
                 assert_eq!(stats, counted, "{name} by {rays}");
             }
         }
+    }
+}
+
+/// The steps of bent rays count as rays do; where the walk stops changes nothing.
+#[test]
+fn steps_do_not_change_a_bit_where_light_is_bent() {
+    for (name, scene) in bent::scenes() {
+        let settings = Settings::new(16, 12).with_sampling(Sampling::Sequence(2)).with_depth(4);
+        let (expected, counted) = whole(&scene, settings.clone());
+        assert!(counted.steps > counted.rays());
+        for rays in [1, 7, 100, 20_000] {
+            let (stepped, stats) =
+                picture(
+                    &scene,
+                    settings.clone(),
+                    |frame, target| while frame.step(rays, target).unwrap() == Progress::More {},
+                );
+            assert_eq!(bits(&stepped), bits(&expected), "{name} by {rays}");
+            assert_eq!(stats, counted, "{name} by {rays}");
+        }
+    }
+}
+
+/// A step goes over the rays that it is given by no more than what one ray takes, to a surface or to a light.
+#[test]
+fn a_step_goes_over_by_the_steps_of_one_ray_at_most() {
+    for (name, scene) in bent::scenes() {
+        for (rays, steps_per_ray) in [(1, 3), (50, 40), (300, 500)] {
+            let budget = Budget { steps_per_ray, ..Budget::with_depth(4) };
+            let (_, stats) = picture(&scene, Settings { budget, ..Settings::new(16, 12) }, |frame, target| {
+                let work = |stats: &Stats| stats.rays() + stats.steps;
+                let mut before = 0;
+                while frame.step(rays, target).unwrap() == Progress::More {
+                    let now = work(frame.observer());
+                    let most = u64::from(rays) + u64::from(steps_per_ray);
+                    assert!(now > before && now - before <= most, "{name}: {} and not {most}", now - before);
+                    before = now;
+                }
+            });
+            assert!(stats.steps > 0);
+        }
+    }
+}
+
+/// A bent ray that takes all of its steps is cut: it is counted, and takes the termination colour.
+#[test]
+fn steps_per_ray_are_kept() {
+    let render = |scene: &Scene<'_, f32>, steps_per_ray, termination| {
+        let budget = Budget { steps_per_ray, termination, ..Budget::with_depth(4) };
+        whole(scene, Settings { budget, ..Settings::new(16, 12) })
+    };
+    let color = Rgb::new(0.25, 0.5, 0.75);
+    for (name, scene) in bent::scenes() {
+        // With no steps at all, the eye rays are cut before they have turned.
+        for (termination, expected) in [(Termination::Black, Rgb::BLACK), (Termination::Color(color), color)] {
+            let (pixels, stats) = render(&scene, 0, termination);
+            assert!(pixels.iter().all(|pixel| *pixel == expected), "{name}");
+            assert_eq!((stats.steps, stats.cut_by_steps, stats.rays()), (0, 192, 192), "{name}");
+        }
+        let (pixels, _) = render(&scene, 0, Termination::Background);
+        let empty = Scene { objects: &[], profiles: &[], black_hole: None, medium: Medium::VACUUM, ..scene };
+        let straight = whole(&empty, Settings::new(16, 12)).0;
+        assert!(
+            pixels.iter().zip(&straight).all(|(a, b)| (a.r - b.r).abs() < 1e-5 && (a.b - b.b).abs() < 1e-5),
+            "{name}"
+        );
+
+        let full = render(&scene, 10_000, Termination::Black).1;
+        let few = render(&scene, 4, Termination::Black).1;
+        assert!(few.cut_by_steps > full.cut_by_steps && few.steps < full.steps, "{name}: {few:?}");
+        let surfaces = few.rays() - few.shadow;
+        assert!(few.steps <= 4 * surfaces * (1 + scene.lights.len() as u64), "{name}: {few:?}");
+    }
+}
+
+/// The steps of shadow rays are counted as well, also where the light is not seen.
+#[test]
+fn steps_to_lights_are_counted() {
+    for (name, scene) in bent::scenes() {
+        let settings = Settings::new(16, 12).with_depth(0);
+        let straight = Scene { shadow_rays: ShadowRays::Straight, ..scene };
+        let (with, without) =
+            (whole(&scene.with_bent_shadows(), settings.clone()).1, whole(&straight, settings.clone()).1);
+        let dark = Scene { lights: &[], ..scene };
+        assert!(with.steps > without.steps, "{name}: {with:?}");
+        assert_eq!(whole(&dark, settings).1.steps, without.steps, "{name}");
     }
 }
 

@@ -89,8 +89,8 @@ fn scenes_that_bend_light_agree_with_the_reference() {
         let difference = Difference::between(&picture, &expected);
         println!("{name:10} {difference}; {} steps a ray", stats.steps / stats.rays());
         assert_eq!(stats.cut_by_steps, 0, "{name}");
-        assert!(difference.share_over_1_255 <= 0.005, "{name}: {difference}");
-        assert!(difference.rmse_without_edges <= 1e-3, "{name}: {difference}");
+        assert!(difference.share_over_1_255 <= 0.001, "{name}: {difference}");
+        assert!(difference.rmse_without_edges <= 1e-4, "{name}: {difference}");
     }
 }
 

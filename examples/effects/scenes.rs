@@ -5,8 +5,8 @@
 
 use whit::optics::{Band, bands, materials};
 use whit::scene::{
-    Aperture, Emitter, Exponent, Falloff, Film, Fresnel, Highlight, Lens, Lobe, Medium, PackedSpheres, SmoothTriangle,
-    Spectrum, Sphere, Thickness, Triangle,
+    Aperture, BlackHole, Emitter, Exponent, Falloff, Film, Fresnel, Highlight, Law, Lens, Level, Lobe, Medium, Method,
+    PackedSpheres, Profile, ShadowRays, SmoothTriangle, Spectrum, Sphere, Steps, Thickness, Triangle,
 };
 use whit::{Background, Camera, Interface, Light, Material, Object, Pattern, Rgb, Scene, Shape, Tone, Vec3};
 
@@ -31,6 +31,16 @@ const SPREADING: Thickness<f32> = Thickness::Radial { from: 900.0, to: 50.0, cen
 const CORNERS: [Vec3<f32>; 3] = [Vec3::new(-1.0, 0.1, 0.0), Vec3::new(1.0, 0.1, 0.0), Vec3::new(0.0, 1.9, 0.0)];
 const TRIANGLES: [Triangle<f32>; 1] = [Triangle { vertices: CORNERS }];
 const PACKED: PackedSpheres<f32, 1, 1> = PackedSpheres::new(&[Sphere { center: UP, radius: 0.9 }]);
+const FLAT: Level<f32> = Level::Height { origin: ORIGIN, up: UP };
+const ROUND: Level<f32> = Level::Radius { center: Vec3::new(0.0, -9.0, 0.0), radius: 9.0 };
+const EXPONENTIAL: Law<'static, f32> = Law::Exponential { far: 1.0, excess: 0.1, scale: 0.4 };
+const LINEAR: Law<'static, f32> = Law::Polynomial { constant: 0.2, linear: -0.1, quadratic: 0.0 };
+const TABLE: Law<'static, f32> = Law::Table { spacing: 0.5, values: &[0.1, 0.06, 0.03, 0.01, 0.0] };
+const CONTROLLED: Steps<f32> = Steps::Controlled { tolerance: 1e-3 };
+const AIR: Profile<'static, f32> =
+    Profile { level: FLAT, from: 0.0, to: 2.0, law: EXPONENTIAL, method: Method::Steps(CONTROLLED) };
+const LAYERS: Method<f32> = Method::Layers { thickness: 0.25 };
+const FIXED: Method<f32> = Method::Steps(Steps::Fixed { length: 0.25 });
 static SPECTRUM: [Band; 38] = bands();
 
 const fn ball(material: Material<f32>) -> [Object<'static, f32>; 2] {
@@ -112,6 +122,22 @@ scenes! {
     FILM_GRADIENT = soap(SOAP.with_thickness(DRAINING));
     FILM_RADIAL = soap(SOAP.with_thickness(SPREADING));
     OXIDE = ball(GOLD.with_film(SOAP));
+    ANNULUS = body(Shape::annulus(UP, Vec3::new(0.0, 0.0, 1.0), 0.4, 0.9));
+    RINGS = ball(Material::patterned(Pattern::Rings { even: TINT, odd: Rgb::WHITE, center: UP, width: 0.2 }));
+    STARS = ball(BODY), background: Background::Stars { sky: TINT, brightness: 2.0, cells: 30, radius: 0.3 };
+    HEIGHT = ball(BODY), medium: Medium::graded(0), profiles: &[AIR];
+    HEIGHT_BY_LAYERS = ball(BODY), medium: Medium::graded(1), profiles: &[AIR, Profile { method: LAYERS, ..AIR }];
+    HEIGHT_IN_FIXED_STEPS = ball(BODY), medium: Medium::graded(0), profiles: &[Profile { method: FIXED, ..AIR }];
+    HEIGHT_IN_BOTH_STEPS = ball(BODY), medium: Medium::graded(1), profiles: &[AIR, Profile { method: FIXED, ..AIR }];
+    HEIGHT_AND_RADIUS = ball(BODY), medium: Medium::graded(1), profiles: &[AIR, Profile { level: ROUND, ..AIR }];
+    RADIUS = ball(BODY), medium: Medium::graded(0), profiles: &[Profile { level: ROUND, ..AIR }];
+    POLYNOMIAL = ball(BODY), medium: Medium::graded(0), profiles: &[Profile { law: LINEAR, ..AIR }];
+    FISH_EYE = ball(BODY), medium: Medium::graded(1),
+        profiles: &[AIR, Profile { law: Law::FishEye { index: 1.2, radius: 5.0 }, ..AIR }];
+    TABULATED = ball(BODY), medium: Medium::graded(1), profiles: &[AIR, Profile { law: TABLE, ..AIR }];
+    BENT_SHADOWS = ball(BODY), medium: Medium::graded(0), profiles: &[AIR], shadow_rays: ShadowRays::Bent;
+    BLACK_HOLE = ball(BODY),
+        black_hole: Some(BlackHole { center: Vec3::new(0.8, 1.6, 0.5), mass: 0.05, steps: CONTROLLED });
     BALANCED = ball(Material { balance: None, ..BODY }.with_interface(Interface::Mirror { reflected: Rgb::WHITE }));
     BALANCE = ball(BODY.with_interface(Interface::Mirror { reflected: Rgb::WHITE }).with_balance(0.3, 0.9));
 }
@@ -166,6 +192,21 @@ macro_rules! pairs {
             FILM_RADIAL, FILM_TABLE, "";
             OXIDE, SPHERE, "reflectance_of_film";
             BALANCE, BALANCED, "";
+            ANNULUS, EMPTY, "intersect_annulus";
+            RINGS, SPHERE, "";
+            STARS, SPHERE, "stars::stars";
+            HEIGHT, SPHERE, "graded";
+            HEIGHT_AND_RADIUS, HEIGHT, "level::ball";
+            HEIGHT_AND_RADIUS, RADIUS, "";
+            HEIGHT, POLYNOMIAL, "decay";
+            POLYNOMIAL, HEIGHT, "";
+            FISH_EYE, HEIGHT, "";
+            TABULATED, HEIGHT, "table::at";
+            HEIGHT_BY_LAYERS, HEIGHT, "layers";
+            HEIGHT_IN_BOTH_STEPS, HEIGHT, "verlet";
+            HEIGHT, HEIGHT_IN_FIXED_STEPS, "nystrom";
+            BENT_SHADOWS, HEIGHT, "towards";
+            BLACK_HOLE, SPHERE, "orbit";
         }
     };
 }

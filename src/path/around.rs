@@ -3,7 +3,8 @@
 use core::{mem, slice};
 
 use super::arrival::Landing;
-use super::piece::{MOST_CHORDS, Piece};
+use super::chords::{Chords, Part};
+use super::piece::Piece;
 use crate::intersect::{Hit, Ray, Wanted, clearance, may_meet, search};
 use crate::math::{Real, Vec3};
 use crate::scene::Object;
@@ -77,11 +78,11 @@ impl<'a, T: Real> Around<'a, T> {
         best
     }
 
-    /// The first surface that a piece meets, taken as so many chords, `before` being the length of the path so far.
+    /// The first surface that a piece meets, taken in chords, `before` being the length of the path so far.
     pub(super) fn curved<const EFFECTS: u64>(
         &mut self,
         piece: &Piece<T>,
-        chords: u32,
+        chords: Chords<T>,
         before: T,
     ) -> Option<Landing<'a, T>> {
         let all = !self.goes(piece.reach());
@@ -104,10 +105,11 @@ impl<'a, T: Real> Around<'a, T> {
             }
             return None;
         };
-        if chords == MOST_CHORDS {
+        if chords.too_few {
             found = found.closer::<EFFECTS>(piece, wanted);
         }
-        let Found { hit, chord, share, .. } = found;
+        let share = found.share();
+        let Found { hit, chord, .. } = found;
         let direction = piece.direction(share);
         Some(Landing { hit, chord, direction, distance: before + piece.length(share) })
     }
@@ -132,22 +134,24 @@ fn just_before<T: Real>(t: T) -> T {
 fn on_chords<'a, T: Real, const EFFECTS: u64>(
     object: &'a Object<'a, T>,
     piece: &Piece<T>,
-    chords: u32,
+    mut chords: Chords<T>,
     wanted: Wanted,
     best: Option<&Found<'a, T>>,
 ) -> Option<Found<'a, T>> {
-    let last = best.map_or(chords.saturating_sub(1), |best| best.number);
-    (0..=last).find_map(|number| {
-        let (chord, length) = piece.chord(number, chords);
+    let last = best.map_or(T::ONE, |best| best.part.from);
+    chords.find_map(|part| {
+        if part.from > last {
+            return None;
+        }
+        let (chord, length) = piece.chord(part)?;
         // A little more than the chord, so that no surface is between it and the next.
         let slack = (chord.origin.largest() + length) * (T::from_f32(8.0) * T::ROUNDOFF);
         let limit = match best {
-            Some(best) if number == last => just_before(best.hit.contact.t),
+            Some(best) if part.from == last => just_before(best.hit.contact.t),
             _ => length + slack,
         };
         let hit = search::<T, EFFECTS>(slice::from_ref(object), &chord, limit, wanted)?;
-        let share = (T::from_u32(number) + (hit.contact.t / length).min(T::ONE)) / T::from_u32(chords);
-        Some(Found { hit, chord, number, share })
+        Some(Found { hit, chord, part, length })
     })
 }
 
@@ -155,28 +159,31 @@ fn on_chords<'a, T: Real, const EFFECTS: u64>(
 struct Found<'a, T> {
     hit: Hit<'a, T>,
     chord: Ray<T>,
-    /// Which of the chords.
-    number: u32,
-    /// Where on the piece.
-    share: T,
+    /// The part of the piece that the chord belongs to, and the length of the chord.
+    part: Part<T>,
+    length: T,
 }
 
 impl<'a, T: Real> Found<'a, T> {
+    /// Where on the piece the contact is.
+    fn share(&self) -> T {
+        let Part { from, to } = self.part;
+        from + (to - from) * (self.hit.contact.t / self.length).min(T::ONE)
+    }
+
     /// The same contact with ever shorter chords around it, for a piece that bends too much for the most chords there are.
     fn closer<const EFFECTS: u64>(mut self, piece: &Piece<T>, wanted: Wanted) -> Self {
-        let mut half = T::from_f32(0.125) / T::from_u32(MOST_CHORDS);
         for _ in 0..2 {
-            let (from, to) = ((self.share - half).max(T::ZERO), (self.share + half).min(T::ONE));
-            let (chord, length) = piece.chord_between(from, to);
+            let (share, half) = (self.share(), (self.part.to - self.part.from) * T::from_f32(0.125));
+            let part = Part { from: (share - half).max(T::ZERO), to: (share + half).min(T::ONE) };
+            let Some((chord, length)) = piece.chord(part) else { break };
             let found = search::<T, EFFECTS>(slice::from_ref(self.hit.object), &chord, length, wanted);
             match found {
                 Some(hit) if hit.contact.front() == self.hit.contact.front() => {
-                    let share = from + (to - from) * (hit.contact.t / length);
-                    self = Self { hit, chord, share, ..self };
+                    self = Self { hit, chord, part, length };
                 }
                 _ => break,
             }
-            half *= T::from_f32(0.25);
         }
         self
     }

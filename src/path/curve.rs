@@ -1,6 +1,7 @@
 //! A curve that light goes along, step by step.
 
 use super::arrival::StepsLeft;
+use super::chords::Chords;
 use super::field::Field;
 use super::integrate::{next_step, nystrom, verlet};
 use super::piece::{Phase, Piece};
@@ -37,11 +38,11 @@ impl<T: Real> Pace<T> {
         }
     }
 
-    /// The chords of a piece: one for a step of fixed length, as many as the tolerance calls for else.
-    pub(super) fn chords(&self, piece: &Piece<T>) -> u32 {
+    /// The chords of a piece after such a way: one for a step of fixed length, as many as the tolerance calls for else.
+    pub(super) fn chords(&self, piece: &Piece<T>, before: T) -> Chords<T> {
         match *self {
-            Self::Fixed { .. } => 1,
-            Self::Controlled { tolerance, .. } => piece.chords(tolerance),
+            Self::Fixed { .. } => Chords::one(),
+            Self::Controlled { tolerance, .. } => Chords::within(tolerance, piece, before),
         }
     }
 }
@@ -52,14 +53,15 @@ impl<T: Real, F: Field<T>> Curve<T, F> {
         self.phase.momentum.normalized()
     }
 
-    /// Goes one step on; `None` when there are no steps left. A step that is tried and found too long counts as well.
+    /// Goes one step on; `None` when there are no steps left, or when a step of fixed length is so long for its field that it
+    /// leaves the range of numbers. A step that is tried and found too long counts as well.
     pub(super) fn step<const EFFECTS: u64>(&mut self, steps: &mut StepsLeft) -> Option<Piece<T>> {
         let effects = const { Effects::from_bits(EFFECTS) };
         match &mut self.pace {
             Pace::Fixed { length } if effects.has(Effects::FIXED_STEPS) => {
                 let tau = *length * self.field.unit(self.phase.position) / self.phase.momentum.length();
                 let next = steps.take().then(|| verlet(&self.field, &self.phase, tau))?;
-                Some(self.go_to(next, tau))
+                self.go_to(next, tau)
             }
             Pace::Controlled { tolerance, next } if effects.has(Effects::CONTROLLED_STEPS) => {
                 let longest = self.field.longest(&self.phase);
@@ -70,7 +72,7 @@ impl<T: Real, F: Field<T>> Curve<T, F> {
                     let advised = next_step(tau, error, tolerance);
                     if error <= tolerance {
                         *next = Some(advised);
-                        return Some(self.go_to(there, tau));
+                        return self.go_to(there, tau);
                     }
                     tau = advised;
                 }
@@ -80,9 +82,13 @@ impl<T: Real, F: Field<T>> Curve<T, F> {
         }
     }
 
-    fn go_to(&mut self, there: Phase<T>, tau: T) -> Piece<T> {
+    fn go_to(&mut self, there: Phase<T>, tau: T) -> Option<Piece<T>> {
         let piece = Piece::new(&self.phase, &there, tau);
-        self.phase = there;
-        piece
+        let square = there.momentum.length_squared();
+        let is_sound = piece.is_near() && square >= T::SMALLEST && square <= T::MAX;
+        is_sound.then(|| {
+            self.phase = there;
+            piece
+        })
     }
 }

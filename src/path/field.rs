@@ -33,7 +33,7 @@ impl<T: Real, const EFFECTS: u64> Field<T> for Graded<'_, '_, T, EFFECTS> {
         let (_, up) = level::with_gradient::<T, EFFECTS>(&self.0.level, position);
         let speed = momentum.dot(up).abs();
         let turn = level::curvature::<T, EFFECTS>(&self.0.level, position) * momentum.length_squared();
-        let bend = ((acceleration.length() + turn) * feature * T::HALF).sqrt();
+        let bend = ((acceleration.dot(up).abs() + turn) * feature * T::HALF).sqrt();
         let slowest = T::from_f32(1e-6) * momentum.length();
         // A level never changes by more than the way.
         (feature / (speed + bend).max(slowest)).max(feature / momentum.length())

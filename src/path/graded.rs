@@ -150,7 +150,7 @@ impl<'a, T: Real> Journey<'_, 'a, T> {
                 direction = piece.direction(share);
                 piece = piece.up_to(share);
             }
-            let chords = curve.pace.chords(&piece);
+            let chords = curve.pace.chords(&piece, self.distance);
             if let Some(landing) = self.around.curved::<EFFECTS>(&piece, chords, self.distance) {
                 return Part::End(Arrival::Surface(landing));
             }

@@ -29,11 +29,11 @@ pub(super) fn nystrom<T: Real>(field: &impl Field<T>, phase: &Phase<T>, tau: T) 
     let last = field.acceleration(position);
     let sum = |[a, b, c, d]: [f32; 4]| first * number(a) + second * number(b) + third * number(c) + last * number(d);
     let turn = sum([1.0 / 14.0, 32.0 / 81.0, 250.0 / 567.0, 5.0 / 54.0]) * tau;
-    // What the two methods differ by: 1/14 + 7/150 and so on.
-    let off_way = sum([0.118_095_24, -0.150_370_37, -0.017_724_868, 0.05]) * square;
+    // What the two methods differ by, 1/14 + 7/150 and so on; that of the way over τ, which has no unit.
+    let off_way = sum([0.118_095_24, -0.150_370_37, -0.017_724_868, 0.05]) * tau;
     let off_turn = sum([-0.547_619_05, 1.135_802_5, -1.014_109_3, 0.425_925_93]) * tau;
     let size = momentum.length();
-    let error = (off_way.length() / (size * tau)).max(off_turn.length() / size);
+    let error = off_way.length().max(off_turn.length()) / size;
     (Phase { position, momentum: momentum + turn, acceleration: last }, error)
 }
 

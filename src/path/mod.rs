@@ -2,6 +2,7 @@
 
 mod around;
 mod arrival;
+mod chords;
 mod curve;
 mod field;
 mod graded;

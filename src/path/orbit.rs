@@ -38,7 +38,7 @@ impl<'a, T: Real> Passage<'_, 'a, T> {
                 return Arrival::OutOfSteps(curve.direction());
             };
             let (piece, captured) = before_horizon(&curve, piece, horizon);
-            let chords = curve.pace.chords(&piece);
+            let chords = curve.pace.chords(&piece, distance);
             if let Some(landing) = self.around.curved::<EFFECTS>(&piece, chords, distance) {
                 return Arrival::Surface(landing);
             }

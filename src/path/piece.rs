@@ -1,5 +1,6 @@
 //! A short piece of a bent path.
 
+use super::chords::Part;
 use crate::intersect::{Bounds, Ray};
 use crate::math::{Real, Vec3};
 
@@ -28,9 +29,6 @@ pub(super) struct Piece<T> {
     pub bend: T,
 }
 
-/// The most chords of a piece.
-pub(super) const MOST_CHORDS: u32 = 64;
-
 impl<T: Real> Piece<T> {
     /// The piece between two places that are τ apart.
     pub(super) fn new(from: &Phase<T>, to: &Phase<T>, tau: T) -> Self {
@@ -42,6 +40,12 @@ impl<T: Real> Piece<T> {
         let momenta = [from.momentum, middle, to.momentum];
         let bend = (to.momentum - from.momentum).length() / from.momentum.length();
         Self { points, momenta, bend }
+    }
+
+    /// Whether it is as near as anything that can be seen.
+    pub(super) fn is_near(&self) -> bool {
+        let near = |x: T| x.abs() <= T::FARTHEST;
+        self.points.iter().all(|p| near(p.x) && near(p.y) && near(p.z))
     }
 
     /// The point at a share of the piece.
@@ -87,17 +91,6 @@ impl<T: Real> Piece<T> {
         (b - a).length() + (c - b).length() + (d - c).length()
     }
 
-    /// How many chords are needed to stay within a tolerance, a share of the piece's length: the height of an arc of the
-    /// angle φ over its chord is φ/8 of its length.
-    pub(super) fn chords(&self, tolerance: T) -> u32 {
-        let wish = self.bend / (T::from_f32(8.0) * tolerance);
-        let mut count = 1;
-        while count < MOST_CHORDS && T::from_u32(count * count) < wish {
-            count += 1;
-        }
-        count
-    }
-
     /// The piece up to a share of it (de Casteljau's division).
     pub(super) fn up_to(&self, share: T) -> Self {
         let [a, b, c, d] = self.points;
@@ -137,17 +130,16 @@ impl<T: Real> Piece<T> {
         Bounds::around(&self.points)
     }
 
-    /// One of so many chords, and its length.
-    pub(super) fn chord(&self, number: u32, of: u32) -> (Ray<T>, T) {
-        let share = |i: u32| T::from_u32(i) / T::from_u32(of);
-        self.chord_between(share(number), share(number + 1))
-    }
-
-    /// The chord between two shares, and its length.
-    pub(super) fn chord_between(&self, from: T, to: T) -> (Ray<T>, T) {
-        let origin = self.at(from);
-        let way = self.at(to) - origin;
-        let direction = way.normalized_or(self.direction(from));
-        (Ray { origin, direction }, way.length())
+    /// The chord of a part, and its length; `None` where it is too short to have a direction.
+    pub(super) fn chord(&self, part: Part<T>) -> Option<(Ray<T>, T)> {
+        let origin = self.at(part.from);
+        let way = self.at(part.to) - origin;
+        // Short chords of small scenes have squares that are too small for the number type.
+        let size = way.largest();
+        (size >= T::SMALLEST).then(|| {
+            let scaled = way * (T::ONE / size);
+            let length = scaled.length();
+            (Ray { origin, direction: scaled * (T::ONE / length) }, length * size)
+        })
     }
 }

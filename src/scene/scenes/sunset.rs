@@ -40,7 +40,7 @@ const fn glow(light: Pattern<f32>) -> Material<f32> {
 }
 
 /// What is so far away that only its direction counts, in kilometres.
-const FAR: f32 = 1.496e8;
+const FAR: f32 = 1e5;
 const SUN_RADIUS: f32 = 6.957e5;
 /// The height of the middle of the sun over the horizontal, as a tangent.
 const ALTITUDE: f32 = -0.0078;

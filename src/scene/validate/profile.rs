@@ -1,12 +1,14 @@
 //! Profiles of media, and what bends light.
 
 use super::number::{Fault, POSITIVE, check, ensure, length, minus, point, positive, unit, within};
-use crate::math::{Real, Vec3};
+use crate::math::Vec3;
 use crate::scene::{BlackHole, Law, Level, Method, Profile, Steps};
 
 const INDEX: &str = "numbers that give an index of refraction from 1e-3 to 1e3 between the levels `from` and `to`";
-const TABLE: &str = "two values at least, each of an index from 0.1 to 10 and at most 3/2 of its neighbour's";
-const SHORT: &str = "values for all levels from `from` to `to`";
+pub(super) const TABLE: &str =
+    "two values at least, each of an index from 0.1 to 10, and at most twice its neighbour's";
+const DIGITS: &str = "terms of at most 1e6 times their sum, so that digits are left of it";
+const WARMTH: &str = "a temperature from 1e-3 to 1e12 times that far up, everywhere";
 const LAYERS: &str = "a thickness that makes at most 65535 layers";
 
 impl Profile<'_, f32> {
@@ -40,19 +42,28 @@ impl Law<'_, f32> {
             Law::Polynomial { constant, linear, quadratic } => {
                 let vertex = -linear / (2.0 * quadratic);
                 let inside = if vertex > from && vertex < to { vertex } else { from };
-                is_square(polynomial(constant, linear, quadratic, from))
-                    && is_square(polynomial(constant, linear, quadratic, to))
-                    && is_square(polynomial(constant, linear, quadratic, inside))
+                let squares = [
+                    polynomial(constant, linear, quadratic, from),
+                    polynomial(constant, linear, quadratic, to),
+                    polynomial(constant, linear, quadratic, inside),
+                ];
+                let farthest = from.abs().max(to.abs());
+                let terms = polynomial(constant.abs(), linear.abs(), quadratic.abs(), farthest);
+                ensure!(check(has_digits(terms, squares[0].min(squares[1]).min(squares[2])), "law", DIGITS));
+                is_square(squares[0]) && is_square(squares[1]) && is_square(squares[2])
             }
             Law::Exponential { far, excess, scale } => {
                 ensure!(positive(scale, "law.scale"));
                 let at = [decay(from / scale), decay(to / scale)];
-                is_index(far as f64 + excess as f64 * at[0]) && is_index(far as f64 + excess as f64 * at[1])
+                let ends = [far as f64 + excess as f64 * at[0], far as f64 + excess as f64 * at[1]];
+                let terms = far.abs() as f64 + excess.abs() as f64 * at[0];
+                ensure!(check(has_digits(terms, ends[0].min(ends[1])), "law", DIGITS));
+                is_index(ends[0]) && is_index(ends[1])
             }
             Law::Thermal { excess, ratio, scale } => {
                 ensure!(positive(scale, "law.scale"));
                 let warmth = [1.0 + ratio as f64 * decay(from / scale), 1.0 + ratio as f64 * decay(to / scale)];
-                ensure!(check(warmth[0] > 1e-3 && warmth[1] > 1e-3, "law.ratio", "a temperature above 0 everywhere"));
+                ensure!(check(is_warmth(warmth[0]) && is_warmth(warmth[1]), "law.ratio", WARMTH));
                 is_index(1.0 + excess as f64 / warmth[0]) && is_index(1.0 + excess as f64 / warmth[1])
             }
             Law::Inversion { below, above, height, thickness } => {
@@ -67,8 +78,9 @@ impl Law<'_, f32> {
                 is_index(n) && is_index(n / (1.0 + a * a)) && is_index(n / (1.0 + b * b))
             }
             Law::Table { spacing, values } => {
+                ensure!(positive(spacing, "law.spacing"));
                 ensure!(check(is_table(values), "law.values", TABLE));
-                return check_table(spacing, values.len(), to - from);
+                return reaches(values.len(), spacing, to - from);
             }
         };
         check(ok, "law", INDEX)
@@ -113,12 +125,26 @@ const fn polynomial(constant: f32, linear: f32, quadratic: f32, level: f32) -> f
     1.0 + constant as f64 + level * (linear as f64 + level * quadratic as f64)
 }
 
+/// Whether something is left of a sum of such terms when each is rounded: of sums that are too small, others will tell.
+const fn has_digits(terms: f64, sum: f64) -> bool {
+    !(sum > 0.0 && terms > sum * (1u32 << 20) as f64)
+}
+
+const fn is_warmth(warmth: f64) -> bool {
+    warmth >= 1e-3 && warmth <= 1e12
+}
+
 const fn is_square(square: f64) -> bool {
     square >= 1e-6 && square <= 1e6
 }
 
 const fn is_index(index: f64) -> bool {
     index >= 1e-3 && index <= 1e3
+}
+
+/// Whether so many values reach from the first level to the last, to a thousandth of the spacing.
+pub(super) const fn reaches(values: usize, spacing: f32, span: f32) -> Result<(), Fault> {
+    check((values as f32 - 0.999) * spacing >= span, "law.values", "values up to the level `to`")
 }
 
 #[allow(clippy::indexing_slicing)] // In range by the loop's condition; iterators are not const.
@@ -128,22 +154,15 @@ const fn is_table(values: &[f32]) -> bool {
         if !within(values[i], -0.9, 9.0) {
             return false;
         }
-        if i > 0 && !are_neighbours(values[i - 1], values[i]) {
-            return false;
+        if i > 0 {
+            let (a, b) = (1.0 + values[i - 1], 1.0 + values[i]);
+            if a > 2.0 * b || b > 2.0 * a {
+                return false;
+            }
         }
         i += 1;
     }
     values.len() >= 2
-}
-
-const fn are_neighbours(a: f32, b: f32) -> bool {
-    within((1.0 + a) / (1.0 + b), 2.0 / 3.0, 3.0 / 2.0)
-}
-
-/// The spacing of a table of so many values, which reach over `span`, to a rounding.
-const fn check_table(spacing: f32, count: usize, span: f32) -> Result<(), Fault> {
-    ensure!(positive(spacing, "law.spacing"));
-    check((count as f32 - 1.0) * spacing >= 0.9999 * span, "law.values", SHORT)
 }
 
 /// e^(−x), with x held between −40 and 40, in constant evaluation: five terms of its series at x/2¹², squared twelve times.
@@ -163,24 +182,6 @@ const fn decay(x: f32) -> f64 {
         i += 1;
     }
     power
-}
-
-impl<T: Real> Profile<'_, T> {
-    /// The same check for every number type. A table is not converted as a whole, but value by value.
-    pub(super) fn check_any(&self) -> Result<(), Fault> {
-        if let Some(profile) = self.map(T::to_f32) {
-            return profile.check();
-        }
-        let Law::Table { spacing, values } = self.law else { return Ok(()) };
-        let even = Law::Polynomial { constant: 0.0, linear: 0.0, quadratic: 0.0 };
-        let rest = self.map_with_law(even, T::to_f32);
-        rest.check()?;
-        let single = |value: &T| within(value.to_f32(), -0.9, 9.0);
-        let pair = |pair: &[T]| matches!(pair, [a, b] if are_neighbours(a.to_f32(), b.to_f32()));
-        let ok = values.len() >= 2 && values.iter().all(single) && values.windows(2).all(pair);
-        check(ok, "law.values", TABLE)?;
-        check_table(spacing.to_f32(), values.len(), rest.to - rest.from)
-    }
 }
 
 #[cfg(test)]

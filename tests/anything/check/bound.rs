@@ -14,6 +14,7 @@ pub fn limits<T: Real>(scene: &Scene<'_, T>, settings: &Settings<T>, branches: u
         Background::Solid(color) => largest(color),
         Background::Gradient { below, above, .. } => largest(below).max(largest(above)) * 1.01,
         Background::Sky { horizon, .. } => largest(horizon) * 16.1,
+        Background::Stars { sky, brightness, .. } => largest(sky) + value(brightness),
     };
     let cut = match settings.budget.termination {
         Termination::Color(color) => largest(color),
@@ -42,9 +43,9 @@ fn own<T: Real>(material: &Material<T>, arriving: f64) -> f64 {
     let body = material.body.map_or(0.0, |Body { color, emission, ambient, diffuse }| {
         let color = match color {
             Pattern::Solid(color) => largest(color),
-            Pattern::Checker { even: a, odd: b, .. } | Pattern::Gradient { from: a, to: b, .. } => {
-                largest(a).max(largest(b))
-            }
+            Pattern::Checker { even: a, odd: b, .. }
+            | Pattern::Rings { even: a, odd: b, .. }
+            | Pattern::Gradient { from: a, to: b, .. } => largest(a).max(largest(b)),
         };
         color * (value(emission) + arriving * (value(ambient) + value(diffuse)))
     });

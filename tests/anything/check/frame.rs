@@ -61,8 +61,11 @@ impl<T: Real> Order<'_, T> {
         let most = most_work(&self.settings);
         let limit = if most > MOST { SOME } else { most };
         let step = u64::from(step).min(limit) as u32;
-        // The last step may trace nothing.
-        let steps = limit.div_ceil(u64::from(step)) + 1;
+        // The last step may trace nothing. Where the steps of bent rays count too, a step of many rays may trace one, or only
+        // look for a path to a light.
+        let is_long = self.bends() && most <= MOST;
+        let steps =
+            if is_long { limit * (1 + self.scene.lights.len() as u64) } else { limit.div_ceil(step.into()) } + 1;
         let (mut is_done, mut before) = (false, 0);
         for _ in 0..steps {
             is_done = frame.step(step, &mut canvas).map_err(|error| error.to_string())? == Progress::Done;
@@ -101,9 +104,25 @@ impl<T: Real> Order<'_, T> {
         require(watch.most_rays <= u64::from(budget.rays_per_pixel), || {
             format!("{} rays in a pixel", watch.most_rays)
         })?;
+        self.check_steps(stats, watch)?;
         require(watch.most_samples <= self.settings.sampling.most(), || "too many samples".into())?;
         require(watch.pixels == dropped.len(), || "a pixel was not told of".into())?;
         require(!watch.is_odd, || "a weight that was cut is no weight".into())
+    }
+}
+
+impl<T: Real> Order<'_, T> {
+    /// No ray, nor the search for a path to a light, takes more steps than it may.
+    fn check_steps(&self, stats: &Stats, watch: &Watch) -> Result<(), Fault> {
+        let most = self.settings.budget.steps_per_ray;
+        require(watch.most_steps <= u32::from(most), || format!("{} steps of one ray", watch.most_steps))?;
+        require(watch.steps == stats.steps, || format!("{} steps, not {}", stats.steps, watch.steps))?;
+        let branches = stats.rays() - stats.shadow;
+        let most = branches * (1 + self.scene.lights.len() as u64) * u64::from(most);
+        require(stats.steps <= most, || format!("{} steps, more than {most}", stats.steps))?;
+        require(self.bends() || *stats == Stats { steps: 0, captured: 0, cut_by_steps: 0, ..*stats }, || {
+            format!("{stats:?}")
+        })
     }
 }
 
@@ -130,7 +149,7 @@ pub fn widened(settings: &Settings<f32>) -> Settings<f64> {
         Sampling::Sequence(n) => Sampling::Sequence(n),
         Sampling::Adaptive { first, most, contrast } => Sampling::Adaptive { first, most, contrast: contrast.into() },
     };
-    let Budget { depth, cutoff, rays_per_pixel, termination } = budget;
+    let Budget { depth, cutoff, rays_per_pixel, steps_per_ray, termination } = budget;
     let termination = match termination {
         Termination::Background => Termination::Background,
         Termination::Black => Termination::Black,
@@ -141,6 +160,6 @@ pub fn widened(settings: &Settings<f32>) -> Settings<f64> {
         rows,
         order,
         sampling,
-        budget: Budget { depth, cutoff: cutoff.into(), rays_per_pixel, termination },
+        budget: Budget { depth, cutoff: cutoff.into(), rays_per_pixel, steps_per_ray, termination },
     }
 }

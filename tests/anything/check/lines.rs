@@ -1,6 +1,6 @@
 //! Single rays.
 
-use whit::{Budget, Intersection, Ray, Real, Rgb, Scene, Settings, Stats, Tone, Vec3};
+use whit::{Budget, Destination, Intersection, Ray, Real, Rgb, Scene, Settings, Stats, Tone, Vec3};
 
 use super::bound::limits;
 use super::{Everything, Fault, LARGE, Order, require};
@@ -12,8 +12,9 @@ impl<T: Real> Order<'_, T> {
     pub(super) fn check_rays<const MEDIA: usize>(&self, tracer: &Everything<'_, T, LARGE, MEDIA>) -> Result<(), Fault> {
         for ray in self.eye_rays().iter().chain(&self.rays) {
             if let Some(intersection) = tracer.intersect(ray) {
-                require(is_fine(&intersection, ray), || format!("{intersection:?} of {ray:?}"))?;
+                require(is_fine(&intersection), || format!("{intersection:?} of {ray:?}"))?;
             }
+            self.check_destination(tracer, ray)?;
             let rays_per_pixel = self.settings.budget.rays_per_pixel.min(MOST);
             let budget = Budget { rays_per_pixel, ..self.settings.budget };
             let mut stats = Stats::default();
@@ -22,6 +23,22 @@ impl<T: Real> Order<'_, T> {
             self.check_light(light).map_err(|fault| format!("{fault} of {ray:?}"))?;
         }
         Ok(())
+    }
+
+    /// Where a ray goes, if it is known, is a direction; and with no steps it is not known where light goes that is bent.
+    fn check_destination<const MEDIA: usize>(
+        &self,
+        tracer: &Everything<'_, T, LARGE, MEDIA>,
+        ray: &Ray<T>,
+    ) -> Result<(), Fault> {
+        match tracer.destination(ray, self.settings.budget.steps_per_ray) {
+            Destination::Away(direction) => {
+                require(is_unit(direction) || !finite(ray.origin), || format!("away in {direction:?} of {ray:?}"))
+            }
+            Destination::Surface(there) => require(is_fine(&there), || format!("{there:?} of {ray:?}")),
+            Destination::Captured => require(self.scene.black_hole.is_some(), || "there is no hole".into()),
+            Destination::OutOfSteps => require(self.bends(), || format!("steps of {ray:?}")),
+        }
     }
 
     /// Rays from the eye through some points of the picture. What they bring shows what a pixel would not, in which
@@ -49,15 +66,24 @@ impl<T: Real> Order<'_, T> {
     }
 }
 
-fn is_fine<T: Real>(intersection: &Intersection<T>, ray: &Ray<T>) -> bool {
-    let finite = |v: Vec3<T>| [v.x, v.y, v.z].into_iter().all(|x| x.abs() <= T::MAX);
+fn finite<T: Real>(v: Vec3<T>) -> bool {
+    [v.x, v.y, v.z].into_iter().all(|x| x.abs() <= T::MAX)
+}
+
+fn is_unit<T: Real>(v: Vec3<T>) -> bool {
+    (v.length() - T::ONE).abs() < T::from_f32(1e-5)
+}
+
+fn is_fine<T: Real>(intersection: &Intersection<T>) -> bool {
     let length = intersection.normal.length();
     // A triangle without an area has no normal.
-    let is_unit = length == T::ZERO || (length - T::ONE).abs() < T::from_f32(1e-5);
-    let left = intersection.leave(-ray.direction);
-    intersection.distance > T::ZERO
+    let has_normal = length == T::ZERO || is_unit(intersection.normal);
+    let left = intersection.leave(-intersection.direction);
+    // That of a bent path is a share of a piece of it, which may underflow.
+    intersection.distance >= T::ZERO
         && intersection.distance < T::MAX
-        && is_unit
+        && has_normal
+        && is_unit(intersection.direction)
         && finite(intersection.point)
         && finite(intersection.offset)
         && finite(left.origin)

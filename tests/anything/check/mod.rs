@@ -75,7 +75,7 @@ fn check_scene(
     require(scene.check().is_ok() == scene.validate().is_ok(), || "constants are validated differently".into())?;
     let order = Order { scene, settings: settings.clone(), step, rays: rays.to_vec() };
     let outcome = order.check(tracer)?;
-    let Ok(wide) = SceneBuf::<f64, 128, 4>::from_scene(scene, |x| widen(x, tracer)) else { return Ok(outcome) };
+    let Ok(wide) = SceneBuf::<f64, 128, 4, 4>::from_scene(scene, |x| widen(x, tracer)) else { return Ok(outcome) };
     let wide = wide.as_scene();
     // Of an empty list the copy has nothing that could be refused; of several faults in an object it may name another.
     let is_copied = scene.objects.iter().all(|object| object.shape != Shape::Triangles(&[]));
@@ -96,6 +96,11 @@ fn widen_ray(ray: &Ray<f32>, tracer: u8) -> Ray<f64> {
 }
 
 impl<T: Real> Order<'_, T> {
+    /// Whether anything bends light.
+    fn bends(&self) -> bool {
+        self.scene.black_hole.is_some() || !self.scene.profiles.is_empty()
+    }
+
     /// By one of several tracers.
     fn check(&self, tracer: u8) -> Result<Outcome, Fault> {
         match tracer % 4 {

@@ -13,6 +13,9 @@ pub struct Watch {
     pub most_rays: u64,
     pub most_samples: u32,
     pub pixels: usize,
+    /// Of the bent ray that took most.
+    pub most_steps: u32,
+    pub steps: u64,
     /// Whether every weight that was cut is a number that a weight can be.
     pub is_odd: bool,
 }
@@ -24,9 +27,15 @@ impl Observer for Watch {
         self.most_rays = self.most_rays.max(self.rays_here);
     }
 
-    fn cut(&mut self, _reason: Cut, throughput: Rgb<f32>) {
-        // Each of 9 bounces may double a weight, which 1024 is far above.
-        let is_weight = |x: f32| (0.0..=1024.0).contains(&x);
+    fn steps(&mut self, count: u32) {
+        self.most_steps = self.most_steps.max(count);
+        self.steps += u64::from(count);
+    }
+
+    fn cut(&mut self, reason: Cut, throughput: Rgb<f32>) {
+        // Each of 9 bounces may double a weight, which 1024 is far above; what a body shows may be brightened.
+        let most = if reason == Cut::Steps { 1024.0 * 1e12 } else { 1024.0 };
+        let is_weight = |x: f32| (0.0..=most).contains(&x);
         self.is_odd |= !(is_weight(throughput.r) && is_weight(throughput.g) && is_weight(throughput.b));
     }
 

@@ -4,6 +4,7 @@
 //! within the ranges that validation accepts; how, is told in [`source`].
 
 mod bands;
+mod bending;
 mod camera;
 mod lights;
 mod materials;
@@ -11,6 +12,7 @@ mod media;
 mod nff;
 mod objects;
 mod points;
+mod profiles;
 mod rays;
 mod run;
 mod settings;

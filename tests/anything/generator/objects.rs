@@ -9,8 +9,8 @@ use super::shapes::Form;
 /// An object with the memory that it borrows from.
 #[derive(Clone, Debug)]
 pub struct Thing {
-    form: Form,
-    material: Material<f32>,
+    pub form: Form,
+    pub material: Material<f32>,
     sides: Sides,
     shadow: Shadow,
 }

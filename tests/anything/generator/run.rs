@@ -1,9 +1,10 @@
 //! A whole run.
 
-use whit::scene::Medium;
+use whit::scene::{Medium, ShadowRays};
 use whit::{Background, Camera, Fresnel, Light, Object, Ray, Scene, Settings, Tone};
 
 use super::Source;
+use super::bending::Bending;
 use super::objects::Thing;
 use super::span::{AMOUNT, LENGTH};
 
@@ -14,6 +15,7 @@ pub struct Run {
     pub is_wild: bool,
     things: Vec<Thing>,
     lights: Vec<Light<f32>>,
+    bending: Bending,
     camera: Camera<f32>,
     background: Background<f32>,
     medium: Medium<f32>,
@@ -42,7 +44,7 @@ impl Run {
         let source = &mut Source::new(bytes);
         let things: Vec<_> = (0..1 + source.below(6)).map(|_| Thing::random(source)).collect();
         let lights = (0..source.below(4)).map(|_| source.light()).collect();
-        Self {
+        let mut run = Self {
             is_wild: source.is_wild || source.is_spoiled,
             things,
             lights,
@@ -55,7 +57,20 @@ impl Run {
             tracer: source.byte(),
             step: 1 + source.below(9) as u32,
             rays: (0..source.below(4)).map(|_| source.ray()).collect(),
+            bending: Bending { profiles: Vec::new(), black_hole: None, shadow_rays: ShadowRays::Straight },
+        };
+        run.bend(source);
+        run
+    }
+
+    fn bend(&mut self, source: &mut Source<'_>) {
+        let bending = Bending::random(source, &mut self.settings);
+        bending.medium(source, &mut self.medium);
+        for thing in &mut self.things {
+            bending.thing(source, thing);
         }
+        self.background = source.stars(self.background);
+        self.bending = bending;
     }
 
     pub fn objects(&self) -> Vec<Object<'_, f32>> {
@@ -72,6 +87,9 @@ impl Run {
             objects,
             lights: &self.lights,
             tone: self.tone,
+            profiles: &self.bending.profiles,
+            black_hole: self.bending.black_hole,
+            shadow_rays: self.bending.shadow_rays,
         }
     }
 }

@@ -68,7 +68,7 @@ impl Source<'_> {
         };
         let cutoff = if self.once_in(4) { self.number(FINITE) } else { 0.0 };
         let depth = if self.is_wild { self.byte() } else { 8 - self.byte() % 9 };
-        Budget { depth, cutoff, rays_per_pixel, termination: self.termination() }
+        Budget { cutoff, rays_per_pixel, termination: self.termination(), ..Budget::with_depth(depth) }
     }
 
     fn termination(&mut self) -> Termination<f32> {

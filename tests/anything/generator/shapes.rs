@@ -60,6 +60,15 @@ impl Form {
     }
 }
 
+impl Source<'_> {
+    /// A disc with a hole; sometimes without one, or with nothing around it.
+    pub fn annulus(&mut self) -> Form {
+        let (a, b) = (self.size(POSITIVE), if self.once_in(4) { 0.0 } else { self.size(POSITIVE) });
+        let (inner, outer) = if self.is_wild { (a, b) } else { (a.min(b), a.max(b)) };
+        Form::Single(Shape::annulus(self.point(), self.direction(), inner, outer))
+    }
+}
+
 fn sphere(source: &mut Source<'_>) -> Sphere<f32> {
     let (center, radius) = (source.point(), source.size(POSITIVE));
     Sphere { center, radius: if source.once_in(6) { -radius } else { radius } }

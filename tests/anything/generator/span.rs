@@ -20,6 +20,17 @@ pub const INDEX: Span = span(1e-3, 1e3, &[1.0, 1.33, 1.5, 1.51, 2.4, 0.6]);
 pub const EXTINCTION: Span = span(0.0, 1e3, &[0.0, 1.0, 2.5, 3.4]);
 pub const NANOMETRES: Span = span(0.0, 1e5, &[0.0, 100.0, 380.0, 900.0]);
 pub const TANGENT: Span = span(1e-6, 1e6, &[0.25, 0.4, 0.6, 1.0]);
+/// n − 1 or n² − 1
+pub const EXCESS: Span = span(-0.999, 1e3, &[0.0, 0.3, 0.0003, 1.0, -0.2, 0.5]);
+/// n² − 1, and lengths, by what they change over.
+pub const SLOPE: Span = span(-1e3, 1e3, &[0.25, -0.25, 1.0, 0.05, -1.0]);
+pub const RATIO: Span = span(-0.999, 1e6, &[0.1, -0.1, 0.0, 1.0]);
+pub const TABLE: Span = span(-0.9, 9.0, &[0.0, 0.1, 1.0]);
+pub const TOLERANCE: Span = span(1e-7, 0.1, &[1e-3, 1e-5, 1e-2, 1e-4]);
+pub const SHARE_OF_WAY: Span = span(1e-4, 0.5, &[0.1, 0.01, 0.25]);
+pub const MASS: Span = span(1e-9, 1e9, &[1.0, 0.1]);
+/// The radius of a star.
+pub const STAR: Span = span(1e-3, 0.5, &[0.1, 0.3]);
 /// What settings take; they have no upper end but that of the number type.
 pub const FINITE: Span = span(0.0, f32::MAX, &[0.0, 0.01, 0.1, 1.0]);
 
