@@ -29,14 +29,34 @@ pub(crate) struct Landing<'a, T> {
 }
 
 /// The steps that a path may take, counted down.
-pub(crate) struct StepsLeft(pub u16);
+pub(crate) struct StepsLeft {
+    left: u16,
+    most: u16,
+    /// Whether a path ended because it could take no more.
+    pub were_too_few: bool,
+}
 
 impl StepsLeft {
+    /// So many.
+    pub(crate) fn new(most: u16) -> Self {
+        Self { left: most, most, were_too_few: false }
+    }
+
+    /// How many were taken.
+    pub(crate) fn taken(&self) -> u32 {
+        u32::from(self.most.saturating_sub(self.left))
+    }
+
     /// Takes a step, if there is one.
     pub(super) fn take(&mut self) -> bool {
-        let left = self.0 > 0;
-        self.0 = self.0.saturating_sub(1);
-        left
+        self.were_too_few |= self.left == 0;
+        self.left = self.left.saturating_sub(1);
+        !self.were_too_few
+    }
+
+    /// No step would lead on.
+    pub(super) fn give_up(&mut self) {
+        self.were_too_few = true;
     }
 }
 

@@ -61,7 +61,7 @@ impl<T: Real, F: Field<T>> Curve<T, F> {
             Pace::Fixed { length } if effects.has(Effects::FIXED_STEPS) => {
                 let tau = *length * self.field.unit(self.phase.position) / self.phase.momentum.length();
                 let next = steps.take().then(|| verlet(&self.field, &self.phase, tau))?;
-                self.go_to(next, tau)
+                self.go_to(next, tau, steps)
             }
             Pace::Controlled { tolerance, next } if effects.has(Effects::CONTROLLED_STEPS) => {
                 let longest = self.field.longest(&self.phase);
@@ -72,7 +72,7 @@ impl<T: Real, F: Field<T>> Curve<T, F> {
                     let advised = next_step(tau, error, tolerance);
                     if error <= tolerance {
                         *next = Some(advised);
-                        return self.go_to(there, tau);
+                        return self.go_to(there, tau, steps);
                     }
                     tau = advised;
                 }
@@ -82,13 +82,15 @@ impl<T: Real, F: Field<T>> Curve<T, F> {
         }
     }
 
-    fn go_to(&mut self, there: Phase<T>, tau: T) -> Option<Piece<T>> {
+    fn go_to(&mut self, there: Phase<T>, tau: T, steps: &mut StepsLeft) -> Option<Piece<T>> {
         let piece = Piece::new(&self.phase, &there, tau);
         let square = there.momentum.length_squared();
         let is_sound = piece.is_near() && square >= T::SMALLEST && square <= T::MAX;
-        is_sound.then(|| {
-            self.phase = there;
-            piece
-        })
+        if !is_sound {
+            steps.give_up();
+            return None;
+        }
+        self.phase = there;
+        Some(piece)
     }
 }

@@ -164,7 +164,8 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
     }
 
     /// Renders until `rays` more rays, shadow rays included, have been traced, or to the end of the frame. It may stop
-    /// in the middle of a pixel.
+    /// in the middle of a pixel. Each step of a bent ray counts as one more, and the last ray is taken to its end: in at most
+    /// [`steps_per_ray`](crate::Budget::steps_per_ray) steps.
     ///
     /// # Errors
     /// Sizes that differ, or the framebuffer's own error, after which rendering can go on.

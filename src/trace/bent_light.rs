@@ -14,7 +14,7 @@ pub(super) struct BentLight<T> {
 
 impl<T: Real> BentLight<T> {
     pub(super) fn new(budget: &Budget<T>) -> Self {
-        Self { way: None, steps: StepsLeft(budget.steps_per_ray) }
+        Self { way: None, steps: StepsLeft::new(budget.steps_per_ray) }
     }
 
     /// Finds the bent path for light that would come straight; `None` if there is none.
@@ -42,13 +42,13 @@ impl<T: Real> BentLight<T> {
         }
     }
 
-    /// Reports the steps that were taken, and that there were too few of them; gives how many.
-    pub(super) fn report(&self, budget: &Budget<T>, throughput: Rgb<T>, observer: &mut impl Observer) -> u32 {
-        let taken = u32::from(budget.steps_per_ray.saturating_sub(self.steps.0));
-        observer.steps(taken);
-        if taken > 0 && self.steps.0 == 0 {
+    /// Reports the steps that were taken, and that there were too few of them; gives how many. The throughput is that of
+    /// the light, which was lost then.
+    pub(super) fn report(&self, throughput: Rgb<T>, observer: &mut impl Observer) -> u32 {
+        observer.steps(self.steps.taken());
+        if self.steps.were_too_few {
             observer.cut(Cut::Steps, throughput.map(T::to_f32));
         }
-        taken
+        self.steps.taken()
     }
 }

@@ -138,7 +138,9 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
                 }
             }
             if is_bent {
-                *rays = rays.saturating_sub(bent.report(budget, self.throughput, observer));
+                *rays = rays.saturating_sub(
+                    bent.report(self.throughput * (T::ONE / T::from_u32(scene.lights.len() as u32)), observer),
+                );
             }
             self.light += 1;
         }

@@ -22,8 +22,8 @@ impl<T> Share<T> {
 
 /// The share of arriving light that reaches a point inside `media`.
 ///
-/// What casts a full shadow stops it; with bent shadows that has been seen to. Media attenuate it: those of objects with a tinted shadow, which it goes through
-/// in a straight line, and the scene's between them. It goes through no more surfaces than `most` and [`MOST_PASSED`].
+/// What casts a full shadow stops it; where shadow rays are bent, that has been seen to. Media attenuate it: those of objects
+/// with a tinted shadow, which it goes through in a straight line, and the scene's between them. It goes through no more surfaces than `most` and [`MOST_PASSED`].
 pub(super) fn light_share<T: Real, const EFFECTS: u64, const MEDIA: usize, O: Observer>(
     scene: &Scene<'_, T>,
     media: &Media<MEDIA>,

@@ -198,7 +198,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tr
     pub fn destination(&self, ray: &Ray<T>, steps: u16) -> Destination<T> {
         let (media, _) = Media::<MEDIA>::around::<T, EFFECTS>(self.scene, ray);
         let index = media.medium(self.scene).index;
-        match Path::new(self.scene, index).follow::<EFFECTS>(ray, &mut StepsLeft(steps)) {
+        match Path::new(self.scene, index).follow::<EFFECTS>(ray, &mut StepsLeft::new(steps)) {
             Arrival::Surface(landing) => {
                 let object = self.number_of(&landing.hit).unwrap_or(self.scene.objects.len());
                 let there = Intersection::new::<EFFECTS>(&landing.hit, object, &landing.chord);

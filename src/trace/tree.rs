@@ -220,12 +220,11 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         observer: &mut O,
     ) -> Option<Way<'a, T>> {
         let scene = context.scene;
-        let mut left = StepsLeft(context.budget.steps_per_ray);
+        let mut left = StepsLeft::new(context.budget.steps_per_ray);
         let index = branch.media.medium(scene).index;
         let arrival = Path::new(scene, index).follow::<EFFECTS>(&branch.ray, &mut left);
-        let taken = u32::from(context.budget.steps_per_ray.saturating_sub(left.0));
-        *rays = rays.saturating_sub(taken);
-        observer.steps(taken);
+        *rays = rays.saturating_sub(left.taken());
+        observer.steps(left.taken());
         match arrival {
             Arrival::Surface(landing) => {
                 branch.ray = landing.chord;

@@ -19,7 +19,7 @@ pub enum Method<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Steps<T> {
     /// In steps of one length, by the method of Störmer and Verlet: of second order; it keeps n·sin θ in layered media, and
-    /// the angular momentum around a centre.
+    /// the angular momentum around a centre. A path is cut that a step takes out of the range of numbers.
     Fixed {
         /// Length of a step, in scene units; around a black hole as a share of the distance from it.
         length: T,

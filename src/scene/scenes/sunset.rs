@@ -11,8 +11,8 @@ use crate::scene::{
 ///
 /// The air gets thinner with the height, by a factor of e in 8 km, and bends light around the Earth: by half a degree at the
 /// horizon, and by less above. The lower rim of the sun is lifted more than the upper one, so that its disc is flatter than it
-/// is wide. Without the air this sun would be below the horizon. One unit is a kilometre, and all is in its true size: the
-/// Earth, the sun, a ship that is 7 km away, gulls at 200 m.
+/// is wide. Without the air this sun would be below the horizon. One unit is a kilometre, and all is in its true size, the
+/// Earth, a ship that is 7 km away, gulls at 200 m, but the sun, which is as near as is far enough and as wide as it looks.
 pub const SUNSET: Scene<'static, f32> = Scene::new(CAMERA, Background::Solid(DUSK))
     .with_objects(&OBJECTS)
     .with_lights(&LIGHTS)
@@ -40,8 +40,9 @@ const fn glow(light: Pattern<f32>) -> Material<f32> {
 }
 
 /// What is so far away that only its direction counts, in kilometres.
-const FAR: f32 = 1e5;
-const SUN_RADIUS: f32 = 6.957e5;
+const FAR: f32 = 4e5;
+/// The sun is 695,700 km large and 149.6 million km away.
+const SUN_RADIUS: f32 = FAR * 6.957e5 / 1.496e8;
 /// The height of the middle of the sun over the horizontal, as a tangent.
 const ALTITUDE: f32 = -0.0078;
 

@@ -56,13 +56,13 @@ impl Scene<'_, f32> {
     /// Checks what bends light, and that each profile that a medium names is there.
     #[allow(clippy::indexing_slicing)] // In range by the loops' conditions; iterators are not const.
     const fn check_bending(&self) -> Result<(), SceneError> {
+        if let Err(error) = self.check_names() {
+            return Err(error);
+        }
         if let Some(hole) = &self.black_hole {
             if let Err((field, expected)) = hole.check(self.camera.eye) {
                 return Err(SceneError { place: Place::Scene, field, expected });
             }
-        }
-        if let Err(error) = self.check_names() {
-            return Err(error);
         }
         let mut i = 0;
         while i < self.profiles.len() {
