@@ -137,7 +137,10 @@ impl Reader<'_> {
         loop {
             let (length, instruction) = match self.instruction(address) {
                 Ok(found) => found,
-                Err(what) => return self.unclear(address, &what),
+                Err(what) => {
+                    self.depths.insert(address, depth); // Not to come here again.
+                    return self.unclear(address, &what);
+                }
             };
             let is_skipped = skipped & 1 != 0;
             skipped >>= 1;

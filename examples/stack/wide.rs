@@ -140,6 +140,8 @@ fn branch(address: u32, first: u16, second: u16) -> Option<Instruction> {
             Some(Jump { target: offset(address, distance, 21), always: false })
         }
         0x8000 => match first & 0xFFF0 {
+            // To the flags; other special registers may be the stack pointer.
+            0xF380 if second & 0xF3FF == 0x8000 => Some(Plain),
             0xF3A0 if second & 0xFF == 0 => Some(Filler),
             0xF3A0 | 0xF3B0 => Some(Plain),
             0xF3E0 => destination((second >> 8 & 15) as Register).map(|_| Plain),
@@ -215,6 +217,7 @@ mod tests {
             (0xF7F0, 0xA001, Trap),                                // udf.w #1
             (0xF3AF, 0x8000, Filler),                              // nop.w
             (0xF3EF, 0x8008, Plain),                               // mrs r0, msp
+            (0xF380, 0x8800, Plain),                               // msr APSR_nzcvq, r0
             (0xED9D, 0x0A01, Plain),                               // vldr s0, [sp, #4]
             (0xED20, 0x8B02, Plain),                               // vstmdb r0!, {d8}
             (0xEEF1, 0xFA10, Plain),                               // vmrs APSR_nzcv, fpscr
