@@ -1,6 +1,8 @@
 //! Pictures of whole scenes against the `f64` reference, POV-Ray and the original business-card tracer.
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
+#[path = "support/bent.rs"]
+mod bent;
 mod povray_scene;
 mod reference;
 
@@ -91,6 +93,24 @@ fn scenes_that_bend_light_agree_with_the_reference() {
         assert_eq!(stats.cut_by_steps, 0, "{name}");
         assert!(difference.share_over_1_255 <= 0.001, "{name}: {difference}");
         assert!(difference.rmse_without_edges <= 1e-4, "{name}: {difference}");
+    }
+}
+
+/// Mirrors, glass, graded lenses and haze in air that bends light much, after each law; and around a hole. Shadow rays are
+/// straight in some and bent in others.
+#[test]
+fn light_that_is_bent_much_agrees_with_the_reference() {
+    for (name, scene) in bent::scenes().into_iter().filter(|(name, _)| name.contains("controlled")) {
+        let (picture, stats) = render_counted(&scene, Settings::new(48, 36));
+        let settings = reference::Settings::new(48, 36, 5);
+        let (expected, _) = reference_of(&scene, &settings, 1);
+        let difference = Difference::between(&picture, &expected);
+        println!("{name:40} {difference}; {} steps a ray", stats.steps / stats.rays());
+        // The reference tries more often to find a bent path to a light.
+        let bent = scene.shadow_rays == whit::scene::ShadowRays::Bent;
+        let share = if bent { 0.025 } else { 0.003 };
+        assert!(difference.share_over_1_255 <= share, "{name}: {difference}");
+        assert!(difference.rmse_without_edges <= 2e-4, "{name}: {difference}");
     }
 }
 

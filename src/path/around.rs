@@ -134,15 +134,12 @@ fn just_before<T: Real>(t: T) -> T {
 fn on_chords<'a, T: Real, const EFFECTS: u64>(
     object: &'a Object<'a, T>,
     piece: &Piece<T>,
-    mut chords: Chords<T>,
+    chords: Chords<T>,
     wanted: Wanted,
     best: Option<&Found<'a, T>>,
 ) -> Option<Found<'a, T>> {
     let last = best.map_or(T::ONE, |best| best.part.from);
-    chords.find_map(|part| {
-        if part.from > last {
-            return None;
-        }
+    chords.take_while(|part| part.from <= last).find_map(|part| {
         let (chord, length) = piece.chord(part)?;
         // A little more than the chord, so that no surface is between it and the next.
         let slack = (chord.origin.largest() + length) * (T::from_f32(8.0) * T::ROUNDOFF);

@@ -34,6 +34,7 @@ impl<T: Real> Pace<T> {
         match steps {
             Steps::Controlled { tolerance } if controlled => Self::Controlled { tolerance, next: None },
             Steps::Fixed { length } => Self::Fixed { length },
+            // Not in a scene that the tracer was compiled for.
             Steps::Controlled { .. } => Self::Fixed { length: T::ONE },
         }
     }

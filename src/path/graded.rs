@@ -6,7 +6,7 @@ use super::curve::{Curve, Pace};
 use super::field::{Field, Graded};
 use super::layers::Layered;
 use super::level;
-use super::piece::Phase;
+use super::piece::{Phase, Piece};
 use crate::intersect::Ray;
 use crate::math::{Real, Vec3};
 use crate::scene::{Effects, Method, Profile};
@@ -124,27 +124,30 @@ impl<'a, T: Real> Journey<'_, 'a, T> {
         }
     }
 
+    /// Where a piece leaves the levels where the index varies, and to which side.
+    fn border<const EFFECTS: u64>(&self, piece: &Piece<T>) -> Option<(T, Zone)> {
+        let &Profile { level, from, to, .. } = self.profile;
+        let end = level.of::<EFFECTS>(piece.at(T::ONE));
+        if end > to {
+            Some((piece.crossing(|point| level.of::<EFFECTS>(point) - to), Zone::Above))
+        } else if end < from {
+            Some((piece.crossing(|point| from - level.of::<EFFECTS>(point)), Zone::Below))
+        } else {
+            None
+        }
+    }
+
     /// On along a curve.
     fn curve<const EFFECTS: u64>(
         &mut self,
         mut curve: Curve<T, Graded<'_, 'a, T, EFFECTS>>,
         steps: &mut StepsLeft,
     ) -> Part<'a, T> {
-        let &Profile { level, from, to, .. } = self.profile;
         loop {
             let Some(mut piece) = curve.step::<EFFECTS>(steps) else {
                 return Part::End(Arrival::OutOfSteps(curve.direction()));
             };
-            let height = level.of::<EFFECTS>(curve.phase.position);
-            let border = if height > to {
-                let over = |point| level.of::<EFFECTS>(point) - to;
-                Some((piece.crossing(over), Zone::Above))
-            } else if height < from {
-                let under = |point| from - level.of::<EFFECTS>(point);
-                Some((piece.crossing(under), Zone::Below))
-            } else {
-                None
-            };
+            let border = self.border::<EFFECTS>(&piece);
             let mut direction = curve.direction();
             if let Some((share, _)) = border {
                 direction = piece.direction(share);

@@ -31,13 +31,15 @@ pub(crate) fn has_bent_shadows<T: Real, const EFFECTS: u64>(scene: &Scene<'_, T>
 }
 
 /// How often a path to a light is tried.
-const TRIALS: u32 = 12;
+const TRIALS: u32 = 16;
 
 /// By how much a path may miss a light, as an angle.
 const MISS: f32 = 1.0 / 16_384.0;
 
-/// A path from a point to a light, found by shooting: what a trial misses the light by is added to its direction. Nothing is
-/// in its way yet. `None` if no trial comes near enough.
+/// A path from a point to a light, found by shooting. Nothing is in its way yet. `None` if no trial comes near enough.
+///
+/// The path starts towards a place and is as long as that is far: at first the light itself. By how much its end misses the
+/// light moves the place, by Broyden's method (1965), which learns from each trial how the one depends on the other.
 pub(crate) fn towards<T: Real, const EFFECTS: u64>(
     scene: &Scene<'_, T>,
     index: Index<T>,
@@ -45,33 +47,71 @@ pub(crate) fn towards<T: Real, const EFFECTS: u64>(
     target: Target<T>,
     steps: &mut StepsLeft,
 ) -> Option<Way<T>> {
-    let aim = match target {
-        Target::Point(position) => position - origin,
-        Target::Direction(direction) => direction,
-    };
-    let mut way = match target {
-        Target::Point(_) => Way { ray: Ray { origin, direction: aim.normalized() }, length: aim.length() },
-        Target::Direction(_) => Way { ray: Ray { origin, direction: aim }, length: T::FARTHEST },
+    // In units of the straight distance, in which nothing depends on the unit of the scene.
+    let (wish, unit) = match target {
+        Target::Point(position) => ((position - origin).normalized(), (position - origin).length()),
+        Target::Direction(direction) => (direction, T::FARTHEST),
     };
     let nothing = Path { objects: &[], ..Path::new(scene, index) };
+    let mut aim = Aim::at(wish);
     for _ in 0..TRIALS {
-        let end = Path { limit: way.length, ..nothing }.follow::<EFFECTS>(&way.ray, steps);
-        let (miss, longer) = match (target, end) {
-            (Target::Point(position), Arrival::Limit(end)) => {
-                let miss = position - end.origin;
-                let along = miss.dot(end.direction);
-                ((miss - end.direction * along) * (T::ONE / way.length), along)
-            }
-            (Target::Direction(wish), Arrival::Away(direction)) => (wish - direction, T::ZERO),
+        let ray = Ray { origin, direction: aim.place.normalized() };
+        let length = if unit < T::FARTHEST { aim.place.length() * unit } else { unit };
+        let path = Path { limit: length, ..nothing };
+        let there = match path.follow::<EFFECTS>(&ray, steps) {
+            Arrival::Limit(end) => (end.origin - origin) * (T::ONE / unit),
+            Arrival::Away(direction) => direction,
             _ => return None,
         };
-        if miss.length() <= T::from_f32(MISS) && longer.abs() <= way.length * T::from_f32(MISS) {
-            return Some(way);
+        let miss = there - wish;
+        if miss.length() <= T::from_f32(MISS) {
+            return Some(Way { ray, length });
         }
-        way.ray.direction = (way.ray.direction + miss).normalized();
-        way.length = (way.length + longer).max(T::SMALLEST);
+        aim.correct(miss)?;
     }
     None
+}
+
+/// Where a path is aimed at, and what is known of how its end depends on that.
+struct Aim<T> {
+    place: Vec3<T>,
+    /// The rows of the matrix by which a change of the end is one of the place: the inverse of Jacobi's.
+    inverse: [Vec3<T>; 3],
+    /// The last correction, and the miss before it.
+    last: Option<(Vec3<T>, Vec3<T>)>,
+}
+
+impl<T: Real> Aim<T> {
+    fn at(place: Vec3<T>) -> Self {
+        let (o, i) = (T::ZERO, T::ONE);
+        Self { place, inverse: [Vec3::new(i, o, o), Vec3::new(o, i, o), Vec3::new(o, o, i)], last: None }
+    }
+
+    /// Moves the place by what the end misses the light by; `None` where that teaches nothing.
+    fn correct(&mut self, miss: Vec3<T>) -> Option<()> {
+        if let Some((step, before)) = self.last {
+            let change = miss - before;
+            let [x, y, z] = self.inverse;
+            let row = x * step.x + y * step.y + z * step.z;
+            let size = row.dot(change);
+            if size == T::ZERO {
+                return None;
+            }
+            let off = (step - self.times(change)) * (T::ONE / size);
+            self.inverse = [x + row * off.x, y + row * off.y, z + row * off.z];
+        }
+        let step = -self.times(miss);
+        // Never more than half of the way to the light at once.
+        let step = step * (T::HALF / step.length().max(T::HALF));
+        self.place += step;
+        self.last = Some((step, miss));
+        Some(())
+    }
+
+    fn times(&self, vector: Vec3<T>) -> Vec3<T> {
+        let [x, y, z] = self.inverse.map(|row| row.dot(vector));
+        Vec3 { x, y, z }
+    }
 }
 
 /// Whether something that casts a full shadow is in the way to a light.
