@@ -12,8 +12,8 @@ import { modules, serve } from "./server.js";
 
 /** The most bytes of each module. The aims are 32 KiB for `web` and 6 KiB for `web_card`, after wasm-opt. */
 const LIMITS = {
-  web: { plain: 106_500, optimised: 77_000 },
-  web_f64: { plain: 120_500, optimised: 88_500 },
+  web: { plain: 168_000, optimised: 120_500 },
+  web_f64: { plain: 186_000, optimised: 136_000 },
   web_nff: { plain: 61_500, optimised: 52_000 },
   web_card: { plain: 14_000, optimised: 11_500 },
 };
