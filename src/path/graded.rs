@@ -28,8 +28,8 @@ pub(super) struct Journey<'p, 'a, T> {
     pub limit: T,
 }
 
-/// How a part of a path ended.
-pub(super) enum Part<'a, T> {
+/// How a leg of a path ended.
+pub(super) enum Leg<'a, T> {
     End(Arrival<'a, T>),
     /// At a border, in another zone.
     Border(Ray<T>, Zone),
@@ -41,13 +41,13 @@ impl<'a, T: Real> Journey<'_, 'a, T> {
         let mut zone = self.zone::<EFFECTS>(ray.origin);
         let mut before = zone;
         loop {
-            let part = match zone {
+            let leg = match zone {
                 Zone::Between => self.bend::<EFFECTS>(&ray, before, steps),
                 Zone::Below | Zone::Above => self.straight::<EFFECTS>(&ray, zone, steps),
             };
-            match part {
-                Part::End(arrival) => return arrival,
-                Part::Border(next, there) => (ray, before, zone) = (next, zone, there),
+            match leg {
+                Leg::End(arrival) => return arrival,
+                Leg::Border(next, there) => (ray, before, zone) = (next, zone, there),
             }
         }
     }
@@ -64,9 +64,9 @@ impl<'a, T: Real> Journey<'_, 'a, T> {
     }
 
     /// Straight on, to the levels where the index varies.
-    fn straight<const EFFECTS: u64>(&mut self, ray: &Ray<T>, zone: Zone, steps: &mut StepsLeft) -> Part<'a, T> {
+    fn straight<const EFFECTS: u64>(&mut self, ray: &Ray<T>, zone: Zone, steps: &mut StepsLeft) -> Leg<'a, T> {
         if !steps.take() {
-            return Part::End(Arrival::OutOfSteps(ray.direction));
+            return Leg::End(Arrival::OutOfSteps(ray.direction));
         }
         let profile = self.profile;
         let border = match zone {
@@ -74,8 +74,8 @@ impl<'a, T: Real> Journey<'_, 'a, T> {
             _ => level::down_to::<T, EFFECTS>(&profile.level, profile.to, ray),
         };
         match self.stretch::<EFFECTS>(ray, border) {
-            Ok(there) => Part::Border(there, Zone::Between),
-            Err(arrival) => Part::End(arrival),
+            Ok(there) => Leg::Border(there, Zone::Between),
+            Err(arrival) => Leg::End(arrival),
         }
     }
 
@@ -102,7 +102,7 @@ impl<'a, T: Real> Journey<'_, 'a, T> {
     }
 
     /// On through the levels where the index varies, from the zone `before`.
-    fn bend<const EFFECTS: u64>(&mut self, ray: &Ray<T>, before: Zone, steps: &mut StepsLeft) -> Part<'a, T> {
+    fn bend<const EFFECTS: u64>(&mut self, ray: &Ray<T>, before: Zone, steps: &mut StepsLeft) -> Leg<'a, T> {
         let effects = const { Effects::from_bits(EFFECTS) };
         let profile = self.profile;
         match profile.method {
@@ -111,16 +111,14 @@ impl<'a, T: Real> Journey<'_, 'a, T> {
             }
             Method::Steps(way) if effects.has(Effects::FIXED_STEPS.with(Effects::CONTROLLED_STEPS)) => {
                 let field = Graded::<T, EFFECTS>(profile);
-                let height = profile.level.of::<EFFECTS>(ray.origin).max(profile.from).min(profile.to);
-                let index = (T::ONE + profile.square::<EFFECTS>(height).excess).sqrt();
                 let phase = Phase {
                     position: ray.origin,
-                    momentum: ray.direction * index,
+                    momentum: ray.direction * profile.index_at::<EFFECTS>(ray.origin),
                     acceleration: field.acceleration(ray.origin),
                 };
                 self.curve::<EFFECTS>(Curve { field, phase, pace: Pace::new::<EFFECTS>(way) }, steps)
             }
-            _ => Part::End(Arrival::Away(ray.direction)),
+            _ => Leg::End(Arrival::Away(ray.direction)),
         }
     }
 
@@ -142,10 +140,10 @@ impl<'a, T: Real> Journey<'_, 'a, T> {
         &mut self,
         mut curve: Curve<T, Graded<'_, 'a, T, EFFECTS>>,
         steps: &mut StepsLeft,
-    ) -> Part<'a, T> {
+    ) -> Leg<'a, T> {
         loop {
             let Some(mut piece) = curve.step::<EFFECTS>(steps) else {
-                return Part::End(Arrival::OutOfSteps(curve.direction()));
+                return Leg::End(Arrival::OutOfSteps(curve.direction()));
             };
             let border = self.border::<EFFECTS>(&piece);
             let mut direction = curve.direction();
@@ -155,15 +153,15 @@ impl<'a, T: Real> Journey<'_, 'a, T> {
             }
             let chords = curve.pace.chords(&piece, self.distance);
             if let Some(landing) = self.around.curved::<EFFECTS>(&piece, chords, self.distance) {
-                return Part::End(Arrival::Surface(landing));
+                return Leg::End(Arrival::Surface(landing));
             }
             let (way, left) = (piece.length(T::ONE), self.limit - self.distance);
             self.distance += way;
             if way >= left {
-                return Part::End(Arrival::at_limit(self.limit, piece.ray(left / way)));
+                return Leg::End(Arrival::at_limit(self.limit, piece.ray(left / way)));
             }
             if let Some((_, zone)) = border {
-                return Part::Border(Ray { origin: piece.at(T::ONE), direction }, zone);
+                return Leg::Border(Ray { origin: piece.at(T::ONE), direction }, zone);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! The way through a medium that is cut into layers.
 
 use super::arrival::{Arrival, StepsLeft};
-use super::graded::{Journey, Part, Zone};
+use super::graded::{Journey, Leg, Zone};
 use super::level;
 use crate::intersect::Ray;
 use crate::math::{Real, Vec3};
@@ -46,7 +46,7 @@ impl<'p, 'a, T: Real> Layered<'p, 'a, T> {
         mut self,
         journey: &mut Journey<'_, 'a, T>,
         steps: &mut StepsLeft,
-    ) -> Part<'a, T> {
+    ) -> Leg<'a, T> {
         let level = self.profile.level;
         if let Some(side) = self.entering() {
             self.cross::<EFFECTS>(side);
@@ -54,10 +54,10 @@ impl<'p, 'a, T: Real> Layered<'p, 'a, T> {
         loop {
             let ray = Ray { origin: self.position, direction: self.momentum.normalized() };
             if let Some(zone) = self.outside() {
-                return Part::Border(ray, zone);
+                return Leg::Border(ray, zone);
             }
             if !steps.take() {
-                return Part::End(Arrival::OutOfSteps(ray.direction));
+                return Leg::End(Arrival::OutOfSteps(ray.direction));
             }
             let (_, up) = level::with_gradient::<T, EFFECTS>(&level, ray.origin);
             let (below, above) = (self.layers.border(self.layer), self.layers.border(self.layer + T::ONE));
@@ -70,7 +70,7 @@ impl<'p, 'a, T: Real> Layered<'p, 'a, T> {
             };
             match journey.stretch::<EFFECTS>(&ray, way) {
                 Ok(there) => self.position = there.origin,
-                Err(arrival) => return Part::End(arrival),
+                Err(arrival) => return Leg::End(arrival),
             }
             self.cross::<EFFECTS>(side);
         }

@@ -105,3 +105,51 @@ fn leaving<T: Real>(curve: &Curve<T, Orbit<'_, T>>) -> Option<Vec3<T>> {
 
 /// With which error, in radians, light leaves a hole around which it goes in steps of fixed length.
 const FIXED_TOLERANCE: f32 = 1e-6;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The angular momentum h, and x′² − 2M·h²/r³, which is twice the energy: by how much they change at most along an orbit,
+    /// as shares.
+    fn changes(steps: Steps<f64>, b: f64) -> [f64; 2] {
+        let hole = BlackHole { center: Vec3::new(0.3, -0.2, 0.1), mass: 1.0, steps };
+        let position = hole.center + Vec3::new(-60.0, b, 0.0);
+        let momentum = Vec3::new(1.0, 0.0, 0.0);
+        let field = Orbit::new(&hole, position, momentum);
+        let phase = Phase { position, momentum, acceleration: field.acceleration(position) };
+        let mut curve = Curve { field, phase, pace: Pace::new::<{ u64::MAX }>(steps) };
+        let kept = |phase: &Phase<f64>| {
+            let away = phase.position - hole.center;
+            let h = away.cross(phase.momentum).length();
+            [h, phase.momentum.length_squared() - 2.0 * h * h / away.length().powi(3)]
+        };
+        let start = kept(&phase);
+        let (mut most, mut left) = ([0.0_f64; 2], StepsLeft::new(10_000));
+        while curve.field.distance(curve.phase.position) < 70.0 && curve.step::<{ u64::MAX }>(&mut left).is_some() {
+            for ((most, now), before) in most.iter_mut().zip(kept(&curve.phase)).zip(start) {
+                *most = most.max((now / before - 1.0).abs());
+            }
+        }
+        assert!(!left.were_too_few);
+        most
+    }
+
+    /// The method of Störmer and Verlet keeps the angular momentum to rounding; the condition that light's way has no length in
+    /// space and time is kept to the method's order, and by controlled steps to the tolerance.
+    #[test]
+    fn angular_momentum_and_the_null_condition_are_kept() {
+        for b in [5.3, 6.0, 10.0] {
+            let [coarse, fine] = [0.04, 0.02].map(|length| changes(Steps::Fixed { length }, b));
+            assert!(coarse[0] < 1e-13 && fine[0] < 1e-13, "{b}: {coarse:?} {fine:?}");
+            assert!(fine[1] < 1e-3 && (3.0..5.0).contains(&(coarse[1] / fine[1])), "{b}: {coarse:?} {fine:?}");
+            for tolerance in [1e-4, 1e-6] {
+                let [angular, energy] = changes(Steps::Controlled { tolerance }, b);
+                assert!(
+                    angular < 20.0 * tolerance && energy < 20.0 * tolerance,
+                    "{b} {tolerance}: {angular:e} {energy:e}"
+                );
+            }
+        }
+    }
+}

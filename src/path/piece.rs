@@ -60,7 +60,7 @@ impl<T: Real> Piece<T> {
     }
 
     /// The derivative by the share.
-    pub(super) fn tangent(&self, share: T) -> Vec3<T> {
+    fn tangent(&self, share: T) -> Vec3<T> {
         let [a, b, c, d] = self.points;
         let rest = T::ONE - share;
         let half = (b - a) * (rest * rest) + (c - b) * (T::TWO * rest * share) + (d - c) * (share * share);

@@ -157,7 +157,8 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tr
     /// The first surface that a ray meets; `None` where it meets nothing up to a distance of 2⁶⁰. The ray's direction must
     /// have length 1 and its origin coordinates of at most 1e12.
     ///
-    /// A flat surface that the origin lies on is not met; a closed body is met from inside if the ray goes in.
+    /// A flat surface that the origin lies on is not met; a closed body is met from inside if the ray goes in. Where light is
+    /// bent, its path is followed for at most 10,000 steps: [`destination`](Self::destination) says how it ended.
     ///
     /// ```
     /// use whit::{Ray, Vec3, scenes::SPHERES};

@@ -12,7 +12,7 @@ mod shape;
 
 pub use error::{Place, SceneError};
 
-use super::{Background, Index, Law, Material, Medium, Object, Profile, Scene, Shadow, Tone};
+use super::{Background, Index, Material, Medium, Object, Scene, Shadow, Tone};
 use crate::math::Real;
 use material::attenuation;
 pub(super) use number::color;
@@ -184,23 +184,4 @@ const fn check_looks(material: &Material<f32>, shadow: Shadow) -> Result<(), Fau
     ensure!(material.check());
     let tinted = matches!(shadow, Shadow::Tinted) && !material.interface.is_transparent();
     check(!tinted, "shadow", "a tinted shadow only under a transparent interface")
-}
-
-impl<T: Real> Profile<'_, T> {
-    /// The same check for every number type. A table is not converted as a whole, but each value on its own.
-    fn check_any(&self) -> Result<(), Fault> {
-        if let Some(profile) = self.map(T::to_f32) {
-            return profile.check();
-        }
-        let Law::Table { spacing, values } = self.law else { return Ok(()) };
-        let (spacing, constant) = (spacing.to_f32(), Law::Polynomial { constant: 0.0, linear: 0.0, quadratic: 0.0 });
-        let rest = self.map_with_law(constant, T::to_f32);
-        rest.check()?;
-        check(values.len() >= 2, "law.values", profile::TABLE)?;
-        for pair in values.windows(2) {
-            let pair = [pair.first(), pair.last()].map(|value| value.map_or(0.0, |value| value.to_f32()));
-            Law::Table { spacing, values: &pair }.check(0.0, spacing)?;
-        }
-        profile::reaches(values.len(), spacing, rest.to - rest.from)
-    }
 }

@@ -1,12 +1,11 @@
 //! Profiles of media, and what bends light.
 
 use super::number::{Fault, POSITIVE, check, ensure, length, minus, point, positive, unit, within};
-use crate::math::Vec3;
+use crate::math::{Real, Vec3};
 use crate::scene::{BlackHole, Law, Level, Method, Profile, Steps};
 
 const INDEX: &str = "numbers that give an index of refraction from 1e-3 to 1e3 between the levels `from` and `to`";
-pub(super) const TABLE: &str =
-    "two values at least, each of an index from 0.1 to 10, and at most twice its neighbour's";
+const TABLE: &str = "two values at least, each of an index from 0.1 to 10, and at most twice its neighbour's";
 const DIGITS: &str = "terms of at most 1e6 times their sum, so that digits are left of it";
 const WARMTH: &str = "a temperature from 1e-3 to 1e12 times that far up, everywhere";
 const LAYERS: &str = "a thickness that makes at most 65535 layers";
@@ -104,6 +103,25 @@ const fn check_tolerance(tolerance: f32, field: &'static str) -> Result<(), Faul
     check(within(tolerance, 1e-7, 0.1), field, "a number from 1e-7 to 0.1")
 }
 
+impl<T: Real> Profile<'_, T> {
+    /// The same check for every number type. A table is not converted as a whole, but each value on its own.
+    pub(super) fn check_any(&self) -> Result<(), Fault> {
+        if let Some(profile) = self.map(T::to_f32) {
+            return profile.check();
+        }
+        let Law::Table { spacing, values } = self.law else { return Ok(()) };
+        let (spacing, constant) = (spacing.to_f32(), Law::Polynomial { constant: 0.0, linear: 0.0, quadratic: 0.0 });
+        let rest = self.map_with_law(constant, T::to_f32);
+        rest.check()?;
+        check(values.len() >= 2, "law.values", TABLE)?;
+        for pair in values.windows(2) {
+            let pair = [pair.first(), pair.last()].map(|value| value.map_or(0.0, |value| value.to_f32()));
+            Law::Table { spacing, values: &pair }.check(0.0, spacing)?;
+        }
+        reaches(values.len(), spacing, rest.to - rest.from)
+    }
+}
+
 impl BlackHole<f32> {
     pub(super) const fn check(&self, eye: Vec3<f32>) -> Result<(), Fault> {
         ensure!(point(self.center, "black_hole.center"));
@@ -143,7 +161,7 @@ const fn is_index(index: f64) -> bool {
 }
 
 /// Whether so many values reach from the first level to the last, to a thousandth of the spacing.
-pub(super) const fn reaches(values: usize, spacing: f32, span: f32) -> Result<(), Fault> {
+const fn reaches(values: usize, spacing: f32, span: f32) -> Result<(), Fault> {
     check((values as f32 - 0.999) * spacing >= span, "law.values", "values up to the level `to`")
 }
 
