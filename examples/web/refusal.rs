@@ -46,6 +46,8 @@ fn settings<'m>(error: &SettingsError, message: &'m mut Message) -> &'m mut Mess
         }
         SettingsError::NotAnAmount(field) => message.set(field).text(": expected a finite number of at least 0"),
         SettingsError::NoSamples => message.set("samples: expected at least 1 a pixel"),
-        SettingsError::Size(_) | SettingsError::Rows { .. } => message.set("size: expected at least 1 pixel a side"),
+        SettingsError::Size { .. } | SettingsError::Rows { .. } => {
+            message.set("size: expected at least 1 pixel a side")
+        }
     }
 }

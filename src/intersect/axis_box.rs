@@ -20,8 +20,7 @@ impl<T: Real> Span<T> {
         if direction == T::ZERO {
             return (origin >= low && origin <= high).then_some(self);
         }
-        let inverse = T::ONE / direction;
-        let (a, b) = ((low - origin) * inverse, (high - origin) * inverse);
+        let (a, b) = T::quotients(low - origin, high - origin, direction);
         let (near, far) = if direction > T::ZERO { (a, b) } else { (b, a) };
         let mut span = self;
         if near > span.enter {

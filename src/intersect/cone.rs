@@ -19,9 +19,9 @@ struct Axis<T> {
 impl<T: Real> Axis<T> {
     fn new(cone: &Cone<T>) -> Self {
         let axis = cone.apex - cone.base;
-        let height = axis.length();
-        let slope = (cone.apex_radius.abs() - cone.base_radius.abs()) / height;
-        Self { unit: axis * (T::ONE / height), height, slope }
+        // Of no height there is no cone: validation sees to it.
+        let (unit, height) = T::direction_and_length(axis).unwrap_or((axis, T::ONE));
+        Self { unit, height, slope: (cone.apex_radius.abs() - cone.base_radius.abs()) / height }
     }
 
     /// A vector's part along the axis and its part across.
@@ -36,13 +36,13 @@ impl<T: Real> Axis<T> {
 ///
 /// `start` is where the ray is nearest to the axis between the ends, so that the digits are spent near the contacts and
 /// not on the way to them.
-struct Passage<T> {
+struct Passage<T: Real> {
     start: T,
     height: T,
     rise: T,
     a: T,
     b: T,
-    c: T,
+    c: T::Wide,
 }
 
 impl<T: Real> Passage<T> {
@@ -63,7 +63,7 @@ impl<T: Real> Passage<T> {
             rise,
             a: square - radius_rate * radius_rate,
             b: across.dot(across_rate) - radius * radius_rate,
-            c: across.length_squared() - radius * radius,
+            c: across.square() - radius.product(radius),
         }
     }
 }
@@ -79,6 +79,10 @@ struct Span<T> {
 pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let axis = Axis::new(cone);
     let ends = between_ends(cone, &axis, ray)?;
+    if T::IS_FIXED && (ends.enter.0 >= limit || ends.leave.0 <= T::ZERO) {
+        // What is far away is not even looked at: it may be beyond all numbers.
+        return None;
+    }
     let passage = Passage::new(cone, &axis, &ends, ray);
     let solid = cone.base_radius > T::ZERO || cone.apex_radius > T::ZERO;
     let Passage { start, height, rise, a, b, c } = passage;
@@ -88,13 +92,13 @@ pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside
         return ray::first(contacts, limit, outside_only);
     }
     for t in roots(a, b, c)? {
-        let s = height + rise * t;
+        let s = height.widened() + rise.product(t);
         // Heights outside the cone also rule out its mirror image behind the tip.
-        if s < T::ZERO || s > axis.height {
+        if s < T::NOTHING || s > axis.height.widened() {
             continue;
         }
         // Half the rate at which the ray leaves the side.
-        let front = (a * t + b < T::ZERO) == solid;
+        let front = (a.product(t) + b.widened() < T::NOTHING) == solid;
         let t = start + t;
         if t > T::ZERO && t < limit && (front || !outside_only) {
             return Some(Contact::new(t, front, SIDE));
@@ -110,7 +114,7 @@ impl<T: Real> Passage<T> {
         let Self { start, a, b, c, .. } = *self;
         let Some([first, second]) = roots(a, b, c) else {
             // The ray meets no side: it runs inside or outside all along.
-            return (a < T::ZERO || c <= T::ZERO).then_some(*caps);
+            return (a < T::ZERO || c <= T::NOTHING).then_some(*caps);
         };
         let (first, second) = (start + first, start + second);
         let [before, behind] = [caps.until(first), caps.from(second)];
@@ -158,19 +162,19 @@ impl<T: Real> Span<T> {
 }
 
 /// The roots of a·t² + 2·b·t + c in rising order; one root twice where the equation is linear.
-fn roots<T: Real>(a: T, b: T, c: T) -> Option<[T; 2]> {
-    let discriminant = b * b - a * c;
-    if discriminant < T::ZERO {
+fn roots<T: Real>(a: T, b: T, c: T::Wide) -> Option<[T; 2]> {
+    let discriminant = b.product(b) - a.times(c);
+    if discriminant < T::NOTHING {
         return None;
     }
-    let root = discriminant.sqrt();
+    let (root, half) = (T::root(discriminant).widened(), b.widened());
     // The sum that does not cancel; the other root comes from the product of the two.
-    let q = if b < T::ZERO { root - b } else { -(root + b) };
-    if q == T::ZERO {
+    let q = if b < T::ZERO { root - half } else { -(root + half) };
+    if q == T::NOTHING {
         return (a != T::ZERO).then_some([T::ZERO; 2]);
     }
-    let second = c / q;
-    let first = if a == T::ZERO { second } else { q / a };
+    let second = T::ratio(c, q);
+    let first = if a == T::ZERO { second } else { T::ratio(q, a.widened()) };
     Some(if first < second { [first, second] } else { [second, first] })
 }
 
@@ -181,8 +185,8 @@ pub(crate) fn locate<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T>
     let (height, across) = axis.split(ray.at(contact.t) - cone.base);
     let radius = cone.base_radius.abs() + axis.slope * height;
     // At the tip, and where a side is thinner than a rounding of its distance, rounding is all there is across the axis.
-    let noise = height * (T::from_f32(8.0) * T::ROUNDOFF);
-    let across = if across.length_squared() > noise * noise { axis.split(across).1 } else { Vec3::ZERO };
+    let noise = height.roundings(8.0);
+    let across = if across.square() > noise.product(noise) { axis.split(across).1 } else { Vec3::ZERO };
     let outward = across.normalized_or(axis.unit.tangents().0);
     let point = cone.base + axis.unit * height + outward * radius;
     let normal = (outward - axis.unit * axis.slope).normalized();
@@ -190,7 +194,7 @@ pub(crate) fn locate<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T>
     // Every term is at most the height and the larger radius, plus the distance of the base; each is good to about 6
     // roundings.
     let size = cone.base.abs() + Vec3::splat(height.abs() + cone.base_radius.abs().max(cone.apex_radius.abs()));
-    let error = size * (T::from_f32(16.0) * T::ROUNDOFF);
+    let error = size.map(|size| size.roundings(16.0));
     (Located { point, normal: if solid { normal } else { -normal }, error }, radius.abs())
 }
 

@@ -3,6 +3,7 @@
 mod axis_box;
 mod bounds;
 mod cone;
+mod fixed_point;
 mod hit;
 mod intersection;
 mod plane;

@@ -15,6 +15,10 @@ pub(crate) fn intersect<T: Real>(plane: &Plane<T>, ray: &Ray<T>, limit: T, outsi
         return None;
     }
     let t = height / towards;
+    // It is the only shape without bounds, and what is far out has no room in fixed point.
+    if T::IS_FIXED && t < limit && ray.at(t).largest() > T::OUTERMOST {
+        return None;
+    }
     (t > T::ZERO && t < limit).then_some(Contact::new(t, front, 0))
 }
 
@@ -26,7 +30,7 @@ pub(crate) fn locate<T: Real>(point: Vec3<T>, anchor: Vec3<T>, direction: Vec3<T
     let normal = direction.normalized();
     let height = normal * (point - anchor).dot(normal);
     let point = point - height;
-    let error = (point.abs() + anchor.abs() + height.abs()) * (T::from_f32(8.0) * T::ROUNDOFF);
+    let error = (point.abs() + anchor.abs() + height.abs()).map(|size| size.roundings(8.0));
     Located { point, normal, error }
 }
 
@@ -40,7 +44,7 @@ pub(crate) fn intersect_disc<T: Real>(
 ) -> Option<Contact<T>> {
     let contact = intersect(&plane_of(disc), ray, limit, outside_only)?;
     let from_center = ray.at(contact.t) - disc.center;
-    (from_center.length_squared() <= disc.radius * disc.radius).then_some(contact)
+    (from_center.square() <= disc.radius.product(disc.radius)).then_some(contact)
 }
 
 /// The contact with a disc that has a hole.
@@ -53,8 +57,9 @@ pub(crate) fn intersect_annulus<T: Real>(
 ) -> Option<Contact<T>> {
     let plane = Plane { point: annulus.center, normal: annulus.normal };
     let contact = intersect(&plane, ray, limit, outside_only)?;
-    let square = (ray.at(contact.t) - annulus.center).length_squared();
-    (square >= annulus.inner * annulus.inner && square <= annulus.outer * annulus.outer).then_some(contact)
+    let square = (ray.at(contact.t) - annulus.center).square();
+    let (inner, outer) = (annulus.inner.product(annulus.inner), annulus.outer.product(annulus.outer));
+    (square >= inner && square <= outer).then_some(contact)
 }
 
 fn plane_of<T: Real>(disc: &Disc<T>) -> Plane<T> {

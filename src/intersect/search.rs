@@ -38,7 +38,7 @@ pub(crate) fn search<'a, T: Real, const EFFECTS: u64>(
                 break;
             }
             // What is nearer by rounding alone is not nearer.
-            limit = contact.t * (T::ONE - T::from_f32(32.0) * T::ROUNDOFF);
+            limit = contact.t.lowered(32.0);
         }
     }
     best

@@ -1,6 +1,6 @@
 //! Ray against sphere.
 
-use super::{Contact, Located, Ray, ray};
+use super::{Contact, Located, Ray, fixed_point, ray};
 use crate::math::{Real, Twofold, Vec3};
 use crate::scene::Sphere;
 
@@ -17,11 +17,14 @@ use crate::scene::Sphere;
 /// that is then the better discriminant.
 #[inline(always)]
 pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
+    if T::IS_FIXED {
+        return fixed_point::sphere(sphere, ray, limit, outside_only);
+    }
     let f = ray.origin - sphere.center;
     let b = -f.dot(ray.direction);
     let square = sphere.radius * sphere.radius;
     let mut c = f.length_squared() - square;
-    let doubt = square * (T::from_f32(16.0) * T::ROUNDOFF);
+    let doubt = square.roundings(16.0);
     if b <= T::ZERO && c > doubt {
         return None;
     }
@@ -66,6 +69,10 @@ pub(crate) fn locate<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contac
     let radius = sphere.radius.abs();
     let local = outward * radius;
     let mut point = sphere.center + local;
+    if T::IS_FIXED {
+        // The direction is good to a rounding, and the contact lies deeper by as much as its own length is off.
+        return Located { point, normal, error: Vec3::splat(radius.roundings(16.0)) };
+    }
     // The direction is good to 4 roundings, its product with r to 5; 8 leave room for the discriminant's own.
     let (mut size, mut roundings, mut rest) = (local, T::from_f32(8.0) * T::ROUNDOFF, T::ZERO);
     if point.largest() * T::TWO < radius {

@@ -53,11 +53,12 @@ fn near<T: Real>(cluster: &Cluster<T>, ray: &Ray<T>, limit: T) -> u32 {
     for (lane, (((x, y), z), radius)) in lanes.iter_mut().zip(spheres) {
         let f = Vec3::new(*x, *y, *z) - ray.origin;
         let along = f.dot(ray.direction).max(T::ZERO);
-        let square = *radius * *radius;
-        let outside = f.length_squared() * (T::ONE - T::from_f32(64.0) * T::ROUNDOFF) - square;
+        let square = radius.product(*radius);
+        let outside = T::less(f.square(), 64.0) - square;
         let past = (along * T::from_f32(1.0 - 1.0 / 1024.0) - limit).max(T::ZERO);
-        let margin = (along * along - outside).min(square - past * past);
-        *lane = if margin < T::ZERO { 0 } else { *lane };
+        let (beside, before) = (along.product(along) - outside, square - past.product(past));
+        let margin = if beside < before { beside } else { before };
+        *lane = if margin < T::NOTHING { 0 } else { *lane };
     }
     // Halves first, as wide as a vector register.
     let [a, b, c, d, e, f, g, h] = lanes;

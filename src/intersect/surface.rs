@@ -39,7 +39,7 @@ impl<T: Real> Surface<T> {
 
     /// How far the normal may turn, as an angle, within the rounding of the point.
     pub(crate) fn turn(&self) -> T {
-        let rounding = self.point.largest() * (T::from_f32(8.0) * T::ROUNDOFF);
+        let rounding = self.point.largest().roundings(8.0);
         if rounding < self.curvature_radius { rounding / self.curvature_radius } else { T::ONE }
     }
 
@@ -63,7 +63,7 @@ impl<T: Real> Surface<T> {
     /// surface, with room for the rounding of the contact.
     pub(crate) fn reach(&self, direction: Vec3<T>, t: T) -> T {
         let cosine = self.normal.dot(direction).abs().max(T::from_f32(1.0 / 16.0));
-        T::from_f32(4.0) * self.offset.length() / cosine + t * (T::from_f32(64.0) * T::ROUNDOFF)
+        T::from_f32(4.0) * self.offset.length() / cosine + t.roundings(64.0)
     }
 
     /// A ray that leaves the surface: to the outside, or to the inside.
@@ -81,6 +81,6 @@ impl<T: Real> Surface<T> {
 /// coordinate once more, by up to u·|pᵢ|; twice that is added. No constant of the scene's size is involved.
 #[inline]
 fn offset<T: Real>(point: Vec3<T>, normal: Vec3<T>, error: Vec3<T>) -> Vec3<T> {
-    let rounding = point.abs() * (T::ROUNDOFF + T::ROUNDOFF);
+    let rounding = point.abs().map(T::spacing);
     normal * normal.abs().dot(error + rounding)
 }

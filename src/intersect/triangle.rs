@@ -4,7 +4,7 @@
 //! where the ray is an axis; two triangles see the same numbers with opposite signs at a shared edge, so none of them
 //! can round the ray away on both sides. A value of exactly zero counts as a hit on either side.
 
-use super::{Contact, Located, Ray};
+use super::{Contact, Located, Ray, fixed_point};
 use crate::math::{Real, Vec3};
 use crate::scene::Triangle;
 
@@ -62,6 +62,11 @@ fn cross<T: Real>(vertices: &[Vec3<T>; 3], ray: &Ray<T>, shear: &Shear<T>) -> Op
         let v = permute(v - ray.origin, shear.axis);
         Vec3 { x: v.x - shear.x * v.z, y: v.y - shear.y * v.z, z: shear.z * v.z }
     });
+    if T::IS_FIXED {
+        let fixed_point::Crossing { shares, t, is_clockwise } = fixed_point::triangle([a, b, c])?;
+        let sum = if is_clockwise { T::ONE } else { -T::ONE };
+        return (t > T::ZERO).then_some(Crossing { weights: shares, sum, t, part: 0 });
+    }
     let u = c.x * b.y - c.y * b.x;
     let v = a.x * c.y - a.y * c.x;
     let w = b.x * a.y - b.y * a.x;
@@ -119,7 +124,7 @@ fn edge_crossing<T: Real>([a, b, c]: [Vec3<T>; 3]) -> T {
 /// A bound on the error of t, which is that of the farthest corner (Pharr, Jakob and Humphreys,
 /// "Physically Based Rendering", 4th edition, 6.8.7). The corners are sheared.
 fn uncertainty<T: Real>([a, b, c]: [Vec3<T>; 3], [u, v, w]: [T; 3], sum: T) -> T {
-    let rounding = |operations: f32| T::from_f32(operations) * T::ROUNDOFF;
+    let rounding = |operations: f32| T::ONE.roundings(operations);
     let largest = |a: T, b: T, c: T| a.abs().max(b.abs()).max(c.abs());
     let (x, y, z) = (largest(a.x, b.x, c.x), largest(a.y, b.y, c.y), largest(a.z, b.z, c.z));
     let (error_x, error_y, error_z) = (rounding(5.0) * (x + z), rounding(5.0) * (y + z), rounding(3.0) * z);
@@ -178,9 +183,12 @@ pub(crate) fn locate<T: Real>(
     contact: &Contact<T>,
     weights: [T; 3],
 ) -> (Located<T>, [T; 3]) {
+    if T::IS_FIXED {
+        return (fixed_point::locate_on_triangle(vertices, weights, ray), weights);
+    }
     let exact = if contact.part() == SETTLED { exact_shares(vertices, ray) } else { None };
     let shares = exact.unwrap_or_else(|| shares(weights));
-    let error = weigh(&vertices.map(Vec3::abs), shares) * (T::from_f32(8.0) * T::ROUNDOFF);
+    let error = weigh(&vertices.map(Vec3::abs), shares).map(|size| size.roundings(8.0));
     let normal = exact_normal(vertices).normalized_or(-ray.direction);
     (Located { point: weigh(vertices, shares), normal, error }, shares)
 }

@@ -109,6 +109,13 @@ impl<T: Real> Div for Complex<T> {
     type Output = Self;
     #[inline]
     fn div(self, divisor: Self) -> Self {
+        if T::IS_FIXED {
+            // Not through a reciprocal, which would have few digits.
+            let square = divisor.re.product(divisor.re) + divisor.im.product(divisor.im);
+            let re = self.re.product(divisor.re) + self.im.product(divisor.im);
+            let im = self.im.product(divisor.re) - self.re.product(divisor.im);
+            return Self::new(T::ratio(re, square), T::ratio(im, square));
+        }
         let scale = T::ONE / divisor.norm_squared();
         self * Self::new(divisor.re, -divisor.im) * scale
     }

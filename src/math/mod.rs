@@ -1,7 +1,13 @@
 //! The scalar trait and the small vectors built on it.
 
+mod accumulate;
 mod complex;
 mod exact_product;
+#[cfg(feature = "fixed")]
+mod fixed_point;
+#[cfg(feature = "fixed")]
+mod q;
+mod range;
 mod real;
 mod rgb;
 mod square_root;
@@ -9,7 +15,11 @@ mod trigonometry;
 mod twofold;
 mod vec3;
 
+pub use accumulate::Accumulate;
 pub use complex::Complex;
+#[cfg(feature = "fixed")]
+pub use q::{Q, Q16, Q20};
+pub use range::Range;
 pub use real::Real;
 pub use rgb::Rgb;
 pub(crate) use trigonometry::sin_cos_constant;

@@ -3,14 +3,15 @@
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use super::{exact_product, square_root};
+use super::accumulate::{Accumulate, accumulate_in_place};
+use super::{Range, Vec3, exact_product, square_root};
 
 /// A scalar number type.
 ///
 /// `f32` is the default. It uses `libm` and the correctly rounded square root, so nothing is left to the
 /// instruction set. `f64` runs the same code with more digits, to show what `f32` costs in accuracy.
 pub trait Real:
-    Copy
+    Accumulate
     + Debug
     + Default
     + PartialEq
@@ -25,6 +26,10 @@ pub trait Real:
     + MulAssign
     + 'static
 {
+    /// Whether all numbers are equally far apart, as in fixed point.
+    const IS_FIXED: bool = false;
+    /// How large the numbers of a scene may be, where that is less than all scenes may have.
+    const RANGE: Option<Range> = None;
     /// 0
     const ZERO: Self;
     /// 1/2
@@ -35,8 +40,10 @@ pub trait Real:
     const TWO: Self;
     /// The largest finite value.
     const MAX: Self;
-    /// The farthest that light is followed, 2⁶⁰: beyond any scene, and squares of it do not overflow.
+    /// The farthest that light is followed, 2⁶⁰ in floating point: beyond any scene, and squares of it do not overflow.
     const FARTHEST: Self;
+    /// The largest coordinate of a point that light meets.
+    const OUTERMOST: Self = Self::MAX;
     /// The smallest positive number with all digits.
     const SMALLEST: Self;
     /// The unit roundoff u: the largest relative error of one correctly rounded operation (2⁻²⁴ for `f32`).
@@ -56,6 +63,44 @@ pub trait Real:
     fn powf(self, y: Self) -> Self;
     /// The largest integer that is not above x.
     fn floor(self) -> Self;
+
+    /// So many roundings of numbers that are as large as this one, and of factors of about 1 with which it is multiplied;
+    /// `self ≥ 0`.
+    #[inline(always)]
+    fn roundings(self, count: f32) -> Self {
+        self * (Self::from_f32(count) * Self::ROUNDOFF)
+    }
+
+    /// What is left of this number when so many roundings of it are taken off; `self ≥ 0`.
+    #[inline(always)]
+    fn lowered(self, count: f32) -> Self {
+        self * (Self::ONE - Self::from_f32(count) * Self::ROUNDOFF)
+    }
+
+    /// What rounding takes from a sum as large as this number, twice over; `self ≥ 0`.
+    #[inline(always)]
+    fn spacing(self) -> Self {
+        self * (Self::ROUNDOFF + Self::ROUNDOFF)
+    }
+
+    /// a/divisor and b/divisor, for a divisor that is not 0.
+    #[inline(always)]
+    fn quotients(a: Self, b: Self, divisor: Self) -> (Self, Self) {
+        let inverse = Self::ONE / divisor;
+        (a * inverse, b * inverse)
+    }
+
+    /// The sum, or the largest number where it is beyond.
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        self + other
+    }
+
+    /// So many 2³²ths, of which 24 bits count.
+    #[inline(always)]
+    fn fraction(bits: u32) -> Self {
+        Self::from_u32(bits >> 8) * Self::from_f32(1.0 / 16_777_216.0)
+    }
 
     /// What rounding took from a product: self·other − product, exactly, for `product` = self·other as it is computed.
     fn product_error(self, other: Self, product: Self) -> Self;
@@ -94,6 +139,9 @@ pub trait Real:
         result
     }
 }
+
+accumulate_in_place!(f32);
+accumulate_in_place!(f64);
 
 impl Real for f32 {
     const ZERO: Self = 0.0;

@@ -96,7 +96,7 @@ impl<T: Real> Add for Rgb<T> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        Self { r: self.r + other.r, g: self.g + other.g, b: self.b + other.b }
+        Self { r: self.r.plus(other.r), g: self.g.plus(other.g), b: self.b.plus(other.b) }
     }
 }
 

@@ -43,17 +43,29 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn dot(self, other: Self) -> T {
-        self.x * other.x + self.y * other.y + self.z * other.z
+        T::narrow(self.products(other))
+    }
+
+    /// The scalar product, not yet rounded.
+    #[inline]
+    pub(crate) fn products(self, other: Self) -> T::Wide {
+        self.x.product(other.x) + self.y.product(other.y) + self.z.product(other.z)
     }
 
     /// The vector product, by the right-hand rule.
     #[inline]
     #[must_use]
     pub fn cross(self, other: Self) -> Self {
-        Self {
-            x: self.y * other.z - self.z * other.y,
-            y: self.z * other.x - self.x * other.z,
-            z: self.x * other.y - self.y * other.x,
+        self.cross_products(other).map(T::narrow)
+    }
+
+    /// The vector product, not yet rounded.
+    #[inline]
+    pub(crate) fn cross_products(self, other: Self) -> Vec3<T::Wide> {
+        Vec3 {
+            x: self.y.product(other.z) - self.z.product(other.y),
+            y: self.z.product(other.x) - self.x.product(other.z),
+            z: self.x.product(other.y) - self.y.product(other.x),
         }
     }
 
@@ -64,11 +76,17 @@ impl<T: Real> Vec3<T> {
         self.dot(self)
     }
 
+    /// |v|², not yet rounded.
+    #[inline]
+    pub(crate) fn square(self) -> T::Wide {
+        self.products(self)
+    }
+
     /// |v|
     #[inline]
     #[must_use]
     pub fn length(self) -> T {
-        self.length_squared().sqrt()
+        T::root(self.square())
     }
 
     /// v/|v|, or the zero vector where |v|² is zero or too small for the number type to hold it with all its digits.
@@ -81,8 +99,7 @@ impl<T: Real> Vec3<T> {
     /// v/|v|, or `other` where |v|² is zero or has lost digits to underflow.
     #[inline]
     pub(crate) fn normalized_or(self, other: Self) -> Self {
-        let square = self.length_squared();
-        if square >= T::SMALLEST { self * (T::ONE / square.sqrt()) } else { other }
+        T::unit(self).unwrap_or(other)
     }
 
     /// The larger of each pair of coordinates.

@@ -9,7 +9,7 @@ use crate::math::{Real, Rgb};
 #[inline]
 #[must_use]
 pub fn transmittance<T: Real>(constant: Rgb<T>, distance: T) -> Rgb<T> {
-    constant.map(|c| (-(c * distance)).exp())
+    constant.map(|c| (-T::held(c.product(distance))).exp())
 }
 
 /// The attenuation constant of a medium that leaves the share `color` of the light after `distance`: −ln(color)/x.

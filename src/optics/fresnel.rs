@@ -44,8 +44,12 @@ pub fn fresnel_dielectric<T: Real>(n1: T, n2: T, cosine: T) -> Option<(Polarized
     // Of nearly equal indices the difference n²c − g would lose its digits.
     let difference = if m.abs() < T::HALF { m * (cosine * sum - T::ONE) / sum } else { dense - g };
     let p = difference / (dense + g);
-    // Along the interface both squares are 1, and rounding must not take them past it.
-    Some((Polarized { s: (s * s).min(T::ONE), p: (p * p).min(T::ONE) }, g / n))
+    // Along the interface both are 1, and rounding must not take them past it.
+    let square = |amplitude: T| {
+        let held = amplitude.abs().min(T::ONE);
+        held * held
+    };
+    Some((Polarized { s: square(s), p: square(p) }, g / n))
 }
 
 /// Reflectance of a conductor of complex index of refraction η + ik, relative to the medium the light comes from.
@@ -60,7 +64,8 @@ pub fn fresnel_conductor<T: Real>(index: T, extinction: T, cosine: T) -> Polariz
     let sine_squared = (T::ONE - cosine) * (T::ONE + cosine);
     let real = (index - extinction) * (index + extinction) - sine_squared;
     let half_imaginary = index * extinction;
-    let length = (real * real + half_imaginary * half_imaginary * T::from_f32(4.0)).sqrt();
+    let imaginary = half_imaginary + half_imaginary;
+    let length = T::root(real.product(real) + imaginary.product(imaginary));
     // Of a and b the larger has no subtraction in it, and a·b = ηk gives the other one.
     let larger = ((length + real.abs()) * T::HALF).sqrt();
     let smaller = if larger > T::ZERO { half_imaginary / larger } else { T::ZERO };

@@ -27,7 +27,8 @@ pub(super) fn normal_part<T: Real>(n1: T, n2: T, (n, m): (T, T), cosine: T) -> O
     let (whole, rest) =
         if n * n < T::HALF { (n * n, (cosine - T::ONE) * (cosine + T::ONE)) } else { (cosine * cosine, m) };
     let mut radicand = whole + rest;
-    if radicand.abs() < whole * T::from_f32(1.0 / 64.0) {
+    // In fixed point nothing is lost where the two cancel.
+    if !T::IS_FIXED && radicand.abs() < whole * T::from_f32(1.0 / 64.0) {
         radicand = near_critical(n1, n2, cosine);
     }
     if radicand < T::ZERO { None } else { Some(radicand.sqrt()) }

@@ -81,7 +81,7 @@ enum Phase {
 /// }
 /// ```
 #[derive(Clone, Debug)]
-pub struct Frame<'a, T, const EFFECTS: u64, const DEPTH: usize, O = (), const MEDIA: usize = 0> {
+pub struct Frame<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O = (), const MEDIA: usize = 0> {
     tracer: Tracer<'a, T, EFFECTS, DEPTH, MEDIA>,
     job: Job<T>,
     view: View<T>,
@@ -237,7 +237,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
     fn tone(&self, light: Rgb<T>) -> Rgb<T> {
         match self.tracer.scene().tone {
             Tone::Display { gain, lift } if Effects::from_bits(EFFECTS).has(Effects::DISPLAY_TONE) => {
-                light.min(Rgb::grey(T::MAX)) * gain + Rgb::grey(lift)
+                light.min(Rgb::grey(T::MAX)).map(|light| T::held(light.product(gain)).plus(lift))
             }
             _ => light,
         }

@@ -69,22 +69,22 @@ impl<T: Real> Plan<T> {
 
 /// The samples of the pixel at hand, summed up.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Accumulator<T> {
+pub(crate) struct Accumulator<T: Real> {
     /// Red, green and blue.
     channels: [Channel<T>; 3],
     pub count: u32,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Channel<T> {
-    sum: T,
+struct Channel<T: Real> {
+    sum: T::Wide,
     darkest: T,
     brightest: T,
 }
 
 impl<T: Real> Accumulator<T> {
     pub(crate) const EMPTY: Self =
-        Self { channels: [Channel { sum: T::ZERO, darkest: T::MAX, brightest: T::ZERO }; 3], count: 0 };
+        Self { channels: [Channel { sum: T::NOTHING, darkest: T::MAX, brightest: T::ZERO }; 3], count: 0 };
 
     /// Adds a sample and tells whether the pixel is done.
     #[inline]
@@ -94,7 +94,7 @@ impl<T: Real> Accumulator<T> {
         for (channel, light) in self.channels.iter_mut().zip([color.r, color.g, color.b]) {
             // Huge lights may overflow; a finite pixel is promised. What is not a number would be black, not white.
             let light = light.max(T::ZERO).min(T::MAX);
-            channel.sum += light;
+            channel.sum = channel.sum + light.widened();
             if self.count <= plan.first {
                 channel.darkest = channel.darkest.min(light);
                 channel.brightest = channel.brightest.max(light);
@@ -107,8 +107,7 @@ impl<T: Real> Accumulator<T> {
     /// The mean of the samples. The sum of some that are finite may not be.
     #[inline]
     pub(crate) fn mean(&self) -> Rgb<T> {
-        let share = T::ONE / T::from_u32(self.count.max(1));
-        let [r, g, b] = self.channels.each_ref().map(|channel| channel.sum * share);
+        let [r, g, b] = self.channels.each_ref().map(|channel| T::mean(channel.sum, self.count.max(1)));
         Rgb { r, g, b }
     }
 }

@@ -48,9 +48,11 @@ impl<T: Real> Settings<T> {
     }
 
     pub(super) fn check(&self, depth: usize) -> Result<(), SettingsError> {
-        let side = 1..=Size::LARGEST;
+        // In fixed point a column must be a number.
+        let largest = T::RANGE.map_or(Size::LARGEST, |range| 16 * range.coordinate as u32 - 1);
+        let side = 1..=largest;
         if !side.contains(&self.size.width) || !side.contains(&self.size.height) {
-            return Err(SettingsError::Size(self.size));
+            return Err(SettingsError::Size { asked: self.size, largest });
         }
         if self.rows.is_empty() || self.rows.end > self.size.height {
             return Err(SettingsError::Rows { start: self.rows.start, end: self.rows.end, height: self.size.height });
@@ -84,7 +86,12 @@ impl<T: Real> Settings<T> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SettingsError {
     /// The picture has no pixels, or too many in a row or column.
-    Size(Size),
+    Size {
+        /// What was asked.
+        asked: Size,
+        /// The most there may be: [`Size::LARGEST`], or less in fixed point.
+        largest: u32,
+    },
     /// The rows are none, or not all in the picture.
     Rows {
         /// First row.
@@ -110,8 +117,8 @@ pub enum SettingsError {
 impl fmt::Display for SettingsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Size(Size { width, height }) => {
-                write!(f, "a picture of {width}×{height}: expected 1 to {} pixels a side", Size::LARGEST)
+            Self::Size { asked: Size { width, height }, largest } => {
+                write!(f, "a picture of {width}×{height}: expected 1 to {largest} pixels a side")
             }
             Self::Rows { start, end, height } => {
                 write!(f, "rows {start}..{end}: expected one row or more within 0..{height}")

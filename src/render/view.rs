@@ -8,7 +8,7 @@ use crate::trace::concentric;
 
 /// A camera in front of a picture of a given size.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct View<T> {
+pub(crate) struct View<T: Real> {
     eye: Vec3<T>,
     forward: Vec3<T>,
     /// Unit vectors in the picture.
@@ -17,7 +17,7 @@ pub(crate) struct View<T> {
     /// Half the size of the picture in pixels.
     center: (T, T),
     /// The side of a pixel, at distance 1.
-    scale: T,
+    scale: T::Wide,
     lens: Option<Lens<T>>,
 }
 
@@ -35,7 +35,7 @@ impl<T: Real> View<T> {
             right,
             up: right.cross(forward),
             center: (T::from_u32(size.width) * T::HALF, T::from_u32(size.height) * T::HALF),
-            scale: (camera.half_height + camera.half_height) / T::from_u32(spanned),
+            scale: T::factor(camera.half_height + camera.half_height, spanned),
             lens: camera.lens,
         }
     }
@@ -43,8 +43,8 @@ impl<T: Real> View<T> {
     /// The ray through a point of the picture, in pixels from its upper left corner.
     #[inline]
     pub(crate) fn ray<const EFFECTS: u64>(&self, x: T, y: T, lens_sample: impl FnOnce() -> [T; 2]) -> Ray<T> {
-        let right = (x - self.center.0) * self.scale;
-        let up = (self.center.1 - y) * self.scale;
+        let right = (x - self.center.0).scaled(self.scale);
+        let up = (self.center.1 - y).scaled(self.scale);
         let (mut origin, mut towards) = (self.eye, self.forward + self.right * right + self.up * up);
         if let (Some(lens), true) = (&self.lens, Effects::from_bits(EFFECTS).has(Effects::LENS)) {
             let (a, b) = aperture_point::<T, EFFECTS>(&lens.aperture, lens_sample());

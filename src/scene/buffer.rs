@@ -123,26 +123,39 @@ impl<T: Real, const OBJECTS: usize, const LIGHTS: usize, const PROFILES: usize> 
     /// [`Full`] when the scene has more primitives, lights or profiles than there is room for, or a profile that is a table.
     pub fn from_scene<U: Real>(scene: &Scene<'_, U>, convert: impl Fn(U) -> T) -> Result<Self, Full> {
         let mut buffer = Self::new(scene.camera.map(&convert), scene.background.map(&convert));
-        buffer.medium = scene.medium.map(&convert);
-        buffer.fresnel = scene.fresnel;
-        buffer.tone = scene.tone.map(&convert);
-        buffer.black_hole = scene.black_hole.map(|hole| hole.map(&convert));
-        buffer.shadow_rays = scene.shadow_rays;
+        buffer.copy_from(scene, convert)?;
+        Ok(buffer)
+    }
+
+    /// Takes everything out and copies a scene in another number type, each primitive of a slice an object of its own. Where
+    /// there is little stack, this fills a variable in place.
+    ///
+    /// # Errors
+    /// [`Full`] as for [`from_scene`](Self::from_scene); the buffer holds a part of the scene then.
+    pub fn copy_from<U: Real>(&mut self, scene: &Scene<'_, U>, convert: impl Fn(U) -> T) -> Result<(), Full> {
+        self.clear();
+        self.camera = scene.camera.map(&convert);
+        self.background = scene.background.map(&convert);
+        self.medium = scene.medium.map(&convert);
+        self.fresnel = scene.fresnel;
+        self.tone = scene.tone.map(&convert);
+        self.black_hole = scene.black_hole.map(|hole| hole.map(&convert));
+        self.shadow_rays = scene.shadow_rays;
         for profile in scene.profiles {
             let table = Full { what: "table in another number type", capacity: 0 };
-            buffer.add_profile(profile.map(&convert).ok_or(table)?)?;
+            self.add_profile(profile.map(&convert).ok_or(table)?)?;
         }
         for object in scene.objects {
             let mut index = 0;
             while let Some(part) = object.part(index, &convert) {
-                buffer.add_object(part)?;
+                self.add_object(part)?;
                 index += 1;
             }
         }
         for light in scene.lights {
-            buffer.add_light(light.map(&convert))?;
+            self.add_light(light.map(&convert))?;
         }
-        Ok(buffer)
+        Ok(())
     }
 
     /// Adds an object.

@@ -33,7 +33,7 @@ fn thickness_at<T: Real, const EFFECTS: u64>(thickness: &Thickness<T>, point: Ve
     match *thickness {
         Thickness::Uniform(thickness) => thickness,
         Thickness::Gradient { from, to, origin, axis } if effects.has(Effects::FILM_GRADIENT) => {
-            mix(from, to, (point - origin).dot(axis))
+            mix(from, to, T::held((point - origin).products(axis)))
         }
         Thickness::Radial { from, to, center, radius } if effects.has(Effects::FILM_RADIAL) => {
             mix(from, to, (point - center).length() / radius)

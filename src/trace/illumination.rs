@@ -39,17 +39,15 @@ pub(crate) fn illuminate<T: Real, const EFFECTS: u64>(
         _ => return None,
     };
     let towards = position - point;
-    let distance = towards.length();
-    if distance == T::ZERO {
-        return None;
-    }
+    let (direction, distance) = T::direction_and_length(towards)?;
     let attenuation = match light.falloff {
         Some(falloff) if effects.has(Effects::FALLOFF) => {
-            T::ONE / (falloff.constant + distance * (falloff.linear + distance * falloff.quadratic))
+            let slope = falloff.linear.plus(T::held(distance.product(falloff.quadratic)));
+            T::ONE / falloff.constant.plus(T::held(distance.product(slope)))
         }
         _ => T::ONE,
     };
-    let ray = Ray { origin: point, direction: towards * (T::ONE / distance) };
+    let ray = Ray { origin: point, direction };
     Some(Illumination { ray, distance, color: light.color * attenuation })
 }
 

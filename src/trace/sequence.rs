@@ -61,8 +61,7 @@ impl Sequence {
     #[inline]
     #[must_use]
     pub fn point<T: Real>(self, index: u32, dimension: u32) -> [T; 2] {
-        // 24 bits are exact in every number type.
-        self.bits(index, dimension).map(|bits| T::from_u32(bits >> 8) * T::from_f32(1.0 / 16_777_216.0))
+        self.bits(index, dimension).map(T::fraction)
     }
 }
 

@@ -35,7 +35,7 @@ impl<T: Real> Facing<'_, T> {
     #[cold]
     fn uncertainty(&self) -> T {
         let bounces = T::from_u32(u32::from(self.depth) + 1);
-        bounces * (T::from_f32(8.0) * T::ROUNDOFF + self.surface.turn())
+        bounces * (T::ONE.roundings(8.0) + self.surface.turn())
     }
 
     /// What an interface between media of these indices does. `n2` is not looked at where nothing is transmitted.

@@ -18,7 +18,7 @@ pub(super) fn stars<T: Real>(direction: Vec3<T>, cells: u16, radius: T) -> Rgb<T
     let place = mix(hash ^ 0x9e37_79b9);
     let within = |bits: u32| radius + (T::ONE - radius - radius) * share(bits & 0xffff, 16);
     let (x, y) = (x - within(place), y - within(place >> 16));
-    let rest = T::ONE - (x * x + y * y) / (radius * radius);
+    let rest = T::ONE - T::ratio(x.product(x) + y.product(y), radius.product(radius));
     if rest <= T::ZERO {
         return Rgb::BLACK;
     }
@@ -33,7 +33,7 @@ const COOL: Rgb<f32> = Rgb::new(1.0, 0.8, 0.6);
 
 /// So many bits as a number from 0 to 1.
 fn share<T: Real>(bits: u32, count: u32) -> T {
-    T::from_u32(bits) / T::from_u32(1 << count)
+    T::fraction(bits << (32 - count))
 }
 
 /// The face of the cube from −1 to 1 that a direction goes through, and where on it.

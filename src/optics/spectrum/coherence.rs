@@ -26,7 +26,13 @@ static ENVELOPE: [Rgb<Complex<f32>>; ENTRIES] = envelope();
 #[inline]
 #[must_use]
 pub fn coherence<T: Real>(path: T) -> Option<Rgb<Complex<T>>> {
-    let position = path / T::from_f32(STEP);
+    coherence_of(path.widened())
+}
+
+/// The same, of a path difference that may be a sum of products.
+#[inline]
+pub(in crate::optics) fn coherence_of<T: Real>(path: T::Wide) -> Option<Rgb<Complex<T>>> {
+    let position = T::ratio(path, T::from_f32(STEP).widened());
     let entry = position.floor();
     // Out of range, not a number and below zero all end at no entry or at a harmless one.
     let index = entry.to_f32() as usize;

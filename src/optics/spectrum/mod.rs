@@ -8,6 +8,7 @@ mod coherence;
 mod observer;
 
 pub use bands::{Band, bands};
+pub(super) use coherence::coherence_of;
 pub use coherence::{COHERENCE_LENGTH, coherence};
 
 use crate::math::Rgb;

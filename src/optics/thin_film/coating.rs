@@ -3,7 +3,7 @@
 use super::incidence::{Incidence, Stack};
 use super::series::{Harmonics, Series};
 use crate::math::{Complex, Real, Rgb};
-use crate::optics::spectrum::{Band, MEAN_WAVELENGTHS, WAVELENGTHS, coherence};
+use crate::optics::spectrum::{Band, MEAN_WAVELENGTHS, WAVELENGTHS, coherence_of};
 
 /// A film of one index of refraction on a base.
 ///
@@ -65,11 +65,14 @@ impl<T: Real> Coating<T> {
         if incidence.evanescent {
             return self.at_wavelengths(&incidence, thickness, MEAN_WAVELENGTHS);
         }
-        let path = T::TWO * (incidence.film_normal * thickness);
+        // Of wide products, so that a film of a thousand nanometres has room in fixed point too.
+        let half = incidence.film_normal.product(thickness);
+        let path = half + half;
+        let turns = |wavelength: f32| T::ratio(path, T::from_f32(wavelength).widened());
         let series = self.per_channel(|base| Series::new(&incidence, &Stack::new(&incidence, base)));
-        let mut r = Harmonics::new(series.r, path / T::from_f32(WAVELENGTHS.r));
-        let mut g = Harmonics::new(series.g, path / T::from_f32(WAVELENGTHS.g));
-        let mut b = Harmonics::new(series.b, path / T::from_f32(WAVELENGTHS.b));
+        let mut r = Harmonics::new(series.r, turns(WAVELENGTHS.r));
+        let mut g = Harmonics::new(series.g, turns(WAVELENGTHS.g));
+        let mut b = Harmonics::new(series.b, turns(WAVELENGTHS.b));
         // The square of the next term, which the closed form continues well enough when it is below 1e-2.
         let ratio = series
             .r
@@ -77,11 +80,11 @@ impl<T: Real> Coating<T> {
             .max(series.g.largest_ratio_squared())
             .max(series.b.largest_ratio_squared());
         let mut rest = T::ONE;
-        let mut distance = T::ZERO;
+        let mut distance = T::NOTHING;
         for _ in 0..TERMS {
-            distance += path;
+            distance = distance + path;
             rest *= ratio;
-            let Some(envelope) = coherence(distance) else { break };
+            let Some(envelope) = coherence_of(distance) else { break };
             r.add(envelope.r);
             g.add(envelope.g);
             b.add(envelope.b);

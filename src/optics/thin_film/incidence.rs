@@ -58,14 +58,15 @@ impl<T: Real> Incidence<T> {
     pub(super) fn wave(&self, thickness: T, wavelength: T) -> Wave<T> {
         let b = self.film_normal;
         if !self.evanescent {
-            let (sine, cosine) = sin_cos_turns(b * thickness / wavelength);
+            let (sine, cosine) = sin_cos_turns(T::ratio(b.product(thickness), wavelength.widened()));
             return Wave { cosine, quotient: sine / b, product: sine * b };
         }
-        let per_normal = T::from_f32(core::f32::consts::TAU) * thickness / wavelength;
+        let tau = T::from_f32(core::f32::consts::TAU);
+        let per_normal = T::ratio(tau.product(thickness), wavelength.widened());
         let depth = b * per_normal;
         if depth < T::ONE {
             // Taylor polynomials of cosh and sinh, to 2.8e-7 at depth 1.
-            let c = |n: f32| T::ONE / T::from_f32(n);
+            let c = |n: f32| T::from_f32(1.0 / n);
             let x = depth * depth;
             let cosine = T::ONE + x * (T::HALF + x * (c(24.0) + x * (c(720.0) + x * c(40_320.0))));
             let ratio = T::ONE + x * (c(6.0) + x * (c(120.0) + x * (c(5040.0) + x * c(362_880.0))));

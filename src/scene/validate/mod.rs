@@ -5,6 +5,7 @@
 
 mod camera;
 mod error;
+mod fixed_point;
 mod material;
 mod number;
 mod profile;
@@ -13,7 +14,7 @@ mod shape;
 pub use error::{Place, SceneError};
 
 use super::{Background, Index, Material, Medium, Object, Scene, Shadow, Tone};
-use crate::math::Real;
+use crate::math::{Range, Real};
 use material::attenuation;
 pub(super) use number::color;
 use number::{Fault, amount, check, ensure, length, refraction, unit, within};
@@ -115,6 +116,11 @@ impl<T: Real> Scene<'_, T> {
     /// The first field that is out of its range.
     pub fn validate(&self) -> Result<(), SceneError> {
         let at = |place| move |(field, expected): Fault| SceneError { place, field, expected };
+        if T::IS_FIXED {
+            let expected = "nothing that bends light, in fixed point";
+            check(self.black_hole.is_none(), "black_hole", expected).map_err(at(Place::Scene))?;
+            check(self.profiles.is_empty(), "profiles", expected).map_err(at(Place::Scene))?;
+        }
         self.camera.map(T::to_f32).check().map_err(at(Place::Camera))?;
         let (background, tone) = (self.background.map(T::to_f32), self.tone.map(T::to_f32));
         check_surroundings(&background, &tone, &self.medium.map(T::to_f32)).map_err(at(Place::Scene))?;
@@ -136,6 +142,30 @@ impl<T: Real> Scene<'_, T> {
         }
         for (i, profile) in self.profiles.iter().enumerate() {
             profile.check_any().map_err(at(Place::Profile(i)))?;
+        }
+        match &T::RANGE {
+            Some(range) => self.check_range(range),
+            None => Ok(()),
+        }
+    }
+
+    /// Checks that the scene has room in fixed point.
+    fn check_range(&self, range: &Range) -> Result<(), SceneError> {
+        let at = |place| move |(field, expected): Fault| SceneError { place, field, expected };
+        range.camera(&self.camera.map(T::to_f32)).map_err(at(Place::Camera))?;
+        let (background, tone) = (self.background.map(T::to_f32), self.tone.map(T::to_f32));
+        range.surroundings(&background, &tone).map_err(at(Place::Scene))?;
+        range.medium(&self.medium.map(T::to_f32), "medium.index").map_err(at(Place::Scene))?;
+        for (i, object) in self.objects.iter().enumerate() {
+            let mut index = 0;
+            while let Some(part) = object.shape.part(index, T::to_f32) {
+                range.shape(&part).map_err(at(Place::Object(i)))?;
+                index += 1;
+            }
+            range.material(&object.material.map(T::to_f32)).map_err(at(Place::Object(i)))?;
+        }
+        for (i, light) in self.lights.iter().enumerate() {
+            range.light(&light.map(T::to_f32)).map_err(at(Place::Light(i)))?;
         }
         Ok(())
     }
