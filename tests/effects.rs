@@ -59,6 +59,7 @@ fn pruned_code_draws_the_same_picture() {
     same!(scenes::OIL);
     same!(scenes::TITANIUM);
     same!(scenes::PRISM);
+    same!(pairs::OFFSET);
     same!(pairs::RINGS);
     same!(pairs::STARS);
     same!(pairs::ANNULUS);

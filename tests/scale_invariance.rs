@@ -14,8 +14,8 @@ use scaled::Scaled;
 use whit::optics::{Band, bands, materials};
 use whit::render::{LinearRgb, Sampling, Size};
 use whit::scene::{
-    Aperture, Emitter, Exponent, Falloff, Film, Fresnel, Highlight, Lens, Lobe, Medium, PackedSpheres, SmoothTriangle,
-    Spectrum, Sphere, Thickness, Triangle,
+    Aperture, Emitter, Exponent, Falloff, Film, Fresnel, Highlight, Lens, Lobe, Medium, Offset, PackedSpheres,
+    SmoothTriangle, Spectrum, Sphere, Thickness, Triangle,
 };
 use whit::trace::Sequence;
 use whit::{
@@ -52,7 +52,12 @@ fn render<const MEDIA: usize>(scene: &Scene<'_, f32>) -> Result<(Vec<[u32; 3]>, 
 /// Every scene there is.
 fn all_scenes() -> Vec<(&'static str, Scene<'static, f32>)> {
     let every_kind = every_kind();
-    scenes::ALL.into_iter().chain([("every kind", every_kind[0]), ("every other kind", every_kind[1])]).collect()
+    let more = [
+        ("every kind", every_kind[0]),
+        ("every other kind", every_kind[1]),
+        ("a fixed offset", scenes::SHOWCASE.with_offset(Offset::Fixed(1e-3))),
+    ];
+    scenes::ALL.into_iter().chain(more).collect()
 }
 
 /// Every law, method and kind of shadow ray.

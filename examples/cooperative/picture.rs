@@ -6,7 +6,10 @@ use whit::render::{ForEach, Pixel, Progress, Size};
 use whit::{Frame, Settings};
 
 use crate::checksum::Checksum;
-use crate::choice::{DEPTH, Drawn, SCENE, SIZE};
+use crate::choice::{DEPTH, SCENE, SIZE};
+
+/// The state of the picture.
+type Drawn = Frame<'static, f32, { SCENE.effects().bits() }, { SCENE.stack(DEPTH as usize) }, (), { SCENE.media() }>;
 
 /// A picture in the making.
 pub struct Picture {

@@ -6,7 +6,7 @@
 use whit::optics::{Band, bands, materials};
 use whit::scene::{
     Aperture, BlackHole, Emitter, Exponent, Falloff, Film, Fresnel, Highlight, Law, Lens, Level, Lobe, Medium, Method,
-    PackedSpheres, Profile, ShadowRays, SmoothTriangle, Spectrum, Sphere, Steps, Thickness, Triangle,
+    Offset, PackedSpheres, Profile, ShadowRays, SmoothTriangle, Spectrum, Sphere, Steps, Thickness, Triangle,
 };
 use whit::{Background, Camera, Interface, Light, Material, Object, Pattern, Rgb, Scene, Shape, Tone, Vec3};
 
@@ -102,6 +102,7 @@ scenes! {
     TWO_LIGHTS = ball(BODY), lights: &[SUN, LAMP];
     FADING = ball(BODY), background: Background::Gradient { below: Rgb::WHITE, above: TINT, up: UP };
     ZENITH = ball(BODY), background: Background::Sky { horizon: TINT, up: UP };
+    OFFSET = ball(BODY), offset: Offset::Fixed(1e-3);
     LENSED = ball(BODY), camera: CAMERA.with_lens(LENS);
     DISPLAY = ball(BODY), tone: Tone::Display { gain: 0.9, lift: 0.05 };
     MIRROR = ball(Material::mirror(Rgb::grey(0.8)));
@@ -171,6 +172,7 @@ macro_rules! pairs {
             PANEL_LIGHT, SPHERE, "";
             FADING, SPHERE, "";
             ZENITH, SPHERE, "";
+            OFFSET, SPHERE, "";
             LENSED, SPHERE, "aperture_point";
             DISPLAY, SPHERE, "";
             MIRROR, SPHERE, "mirror";

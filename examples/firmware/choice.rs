@@ -1,6 +1,6 @@
 //! What is rendered: chosen when the program is compiled, so that it is all that is in it.
 
-use whit::{Frame, Scene, scenes};
+use whit::{Scene, scenes};
 
 /// The name of the scene: WHIT_SCENE.
 pub const NAME: &str = match option_env!("WHIT_SCENE") {
@@ -27,10 +27,6 @@ pub const DEPTH: u8 = match option_env!("WHIT_DEPTH") {
 /// The scene.
 pub const SCENE: Scene<'static, f32> = built_in(NAME);
 
-/// The state of a picture of that scene.
-pub type Drawn =
-    Frame<'static, f32, { SCENE.effects().bits() }, { SCENE.stack(DEPTH as usize) }, (), { SCENE.media() }>;
-
 const fn built_in(name: &str) -> Scene<'static, f32> {
     let mut place = 0;
     while place < scenes::ALL.len() {
@@ -42,7 +38,8 @@ const fn built_in(name: &str) -> Scene<'static, f32> {
     panic!("WHIT_SCENE: there is no built-in scene of that name; `cargo run --example render -- --list` names them")
 }
 
-const fn same(one: &[u8], other: &[u8]) -> bool {
+/// Whether two texts are the same.
+pub const fn same(one: &[u8], other: &[u8]) -> bool {
     let mut place = 0;
     while place < one.len() && place < other.len() && one[place] == other[place] {
         place += 1;

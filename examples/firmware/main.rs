@@ -3,6 +3,7 @@
 //!     cargo run --release --example firmware --target thumbv7em-none-eabihf
 //!     WHIT_SCENE=glass WHIT_SIZE=64x48 WHIT_DEPTH=8 cargo run --release --example firmware --target thumbv6m-none-eabi
 //!
+//! WHIT_NUMBER=f64 computes in another number type; the scene is then converted to it at the start, and has to fit into memory.
 //! The picture is `target/firmware.ppm`. Beside it the program says the checksum of its linear pixels, how many instructions
 //! the processor took for it and how much stack. Without `--target` it runs on the machine at hand.
 #![cfg_attr(target_os = "none", no_std, no_main)]
@@ -14,12 +15,14 @@ mod board;
 #[path = "../board/checksum.rs"]
 mod checksum;
 mod choice;
+mod number;
 mod picture;
 
 use core::mem::MaybeUninit;
 
 use board::{Clock, Outcome, paint_stack, print, print_hexadecimal, print_number};
-use choice::{DEPTH, Drawn, NAME, SCENE, SIZE};
+use choice::{DEPTH, NAME, SCENE, SIZE};
+use number::{Chosen, Drawn, Memory};
 use picture::{Picture, Row, RowIsFull};
 use whit::render::RenderError;
 use whit::{Frame, Settings, Tone};
@@ -31,6 +34,7 @@ type PixelRow = Row<{ SIZE[0] as usize }, { SIZE[1] }, { matches!(SCENE.tone, To
 type PictureFile = Picture<{ SIZE[0] as usize }, { SIZE[1] }, { matches!(SCENE.tone, Tone::Linear) }>;
 
 /// Variables, so that the linker says how much memory is needed.
+static mut MEMORY: MaybeUninit<Memory> = MaybeUninit::uninit();
 static mut FRAME: MaybeUninit<Drawn> = MaybeUninit::uninit();
 static mut ROW: PixelRow = PixelRow::new();
 
@@ -38,11 +42,11 @@ fn render() -> Outcome {
     print("scene ");
     print(NAME);
     print("\n");
-    let tracer = whit::tracer!(SCENE, DEPTH as usize);
-    let settings = Settings::new(SIZE[0], SIZE[1]).with_depth(DEPTH);
-    let (frame, row) = (&raw mut FRAME, &raw mut ROW);
+    let (memory, frame, row) = (&raw mut MEMORY, &raw mut FRAME, &raw mut ROW);
     // SAFETY: this function is called once, and nothing else names the variables.
-    let (frame, row) = unsafe { (&mut *frame, &mut *row) };
+    let (memory, frame, row) = unsafe { (&mut *memory, &mut *frame, &mut *row) };
+    let tracer = Chosen::tracer(memory)?;
+    let settings = Settings::new(SIZE[0], SIZE[1]).with_depth(DEPTH);
     let frame =
         frame.write(Frame::new(&tracer, settings).map_err(|_| "WHIT_SIZE: expected 1 to 1048576 pixels a side")?);
     let mut picture = PictureFile::create()?;

@@ -3,7 +3,7 @@
 use super::search::has;
 use super::{Contact, Ray, Surface, axis_box, cone, plane, sphere, triangle};
 use crate::math::{Real, Vec3};
-use crate::scene::{Effects, Object, Shape, Sphere};
+use crate::scene::{Effects, Object, Offset, Shape, Sphere};
 
 /// What a ray meets first.
 pub(crate) struct Hit<'a, T> {
@@ -18,7 +18,7 @@ pub(crate) struct Hit<'a, T> {
 impl<T: Real> Hit<'_, T> {
     /// The surface at the contact. Shapes that a tracer's effects leave out, which it never meets, have none that is right.
     #[inline]
-    pub(crate) fn surface<const EFFECTS: u64>(&self, ray: &Ray<T>) -> Surface<T> {
+    pub(crate) fn surface<const EFFECTS: u64>(&self, ray: &Ray<T>, offset: &Offset<T>) -> Surface<T> {
         let contact = &self.contact;
         let mut shading = None;
         let mut curvature_radius = T::MAX;
@@ -45,7 +45,7 @@ impl<T: Real> Hit<'_, T> {
                 }
             }
         };
-        Surface::new(located, shading.unwrap_or(located.normal), curvature_radius)
+        Surface::new(located, shading.unwrap_or(located.normal), curvature_radius).with_offset::<EFFECTS>(offset)
     }
 
     /// The flat face that is met: a point of it and the direction across.

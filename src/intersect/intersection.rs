@@ -2,6 +2,7 @@
 
 use super::{Hit, Ray, Surface};
 use crate::math::{Real, Vec3};
+use crate::scene::Offset;
 
 /// Where a ray meets the first surface: what is under a pixel, and where rays go on from there.
 #[derive(Clone, Copy, Debug)]
@@ -38,8 +39,8 @@ pub enum Destination<T> {
 }
 
 impl<T: Real> Intersection<T> {
-    pub(crate) fn new<const EFFECTS: u64>(hit: &Hit<'_, T>, object: usize, ray: &Ray<T>) -> Self {
-        let Surface { point, normal, offset, .. } = hit.surface::<EFFECTS>(ray);
+    pub(crate) fn new<const EFFECTS: u64>(hit: &Hit<'_, T>, object: usize, ray: &Ray<T>, offset: &Offset<T>) -> Self {
+        let Surface { point, normal, offset, .. } = hit.surface::<EFFECTS>(ray, offset);
         Self {
             object,
             primitive: hit.primitive,

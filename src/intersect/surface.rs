@@ -2,7 +2,7 @@
 
 use super::Ray;
 use crate::math::{Real, Vec3};
-use crate::scene::Effects;
+use crate::scene::{Effects, Offset};
 
 /// A point of a shape.
 #[derive(Clone, Copy)]
@@ -35,6 +35,17 @@ impl<T: Real> Surface<T> {
     #[inline(always)]
     pub(crate) fn new(Located { point, normal, error }: Located<T>, shading: Vec3<T>, curvature_radius: T) -> Self {
         Self { point, normal, shading, offset: offset(point, normal, error), curvature_radius }
+    }
+
+    /// The same place, left as the scene says.
+    #[inline(always)]
+    pub(crate) fn with_offset<const EFFECTS: u64>(self, offset: &Offset<T>) -> Self {
+        match *offset {
+            Offset::Fixed(distance) if Effects::from_bits(EFFECTS).has(Effects::FIXED_OFFSET) => {
+                Self { offset: self.normal * distance, ..self }
+            }
+            _ => self,
+        }
     }
 
     /// How far the normal may turn, as an angle, within the rounding of the point.

@@ -4,8 +4,8 @@ use core::fmt;
 
 use heapless::Vec;
 
-use super::{Background, BlackHole, Camera, Fresnel, Light, Medium, Object, Profile, Scene, ShadowRays, Tone};
-use crate::math::Real;
+use super::{Background, BlackHole, Camera, Fresnel, Light, Medium, Object, Offset, Profile, Scene, ShadowRays, Tone};
+use crate::math::{Real, Rgb, Vec3};
 
 /// A scene with room for `OBJECTS` objects, `LIGHTS` lights and `PROFILES` profiles of media.
 ///
@@ -37,6 +37,8 @@ pub struct SceneBuf<T: 'static, const OBJECTS: usize, const LIGHTS: usize, const
     pub black_hole: Option<BlackHole<T>>,
     /// How shadow rays go where light is bent.
     pub shadow_rays: ShadowRays,
+    /// How far from a surface the next ray starts.
+    pub offset: Offset<T>,
     objects: Vec<Object<'static, T>, OBJECTS>,
     lights: Vec<Light<T>, LIGHTS>,
     profiles: Vec<Profile<'static, T>, PROFILES>,
@@ -101,6 +103,10 @@ impl<const OBJECTS: usize, const LIGHTS: usize, const PROFILES: usize> SceneStor
 }
 
 impl<T: Real, const OBJECTS: usize, const LIGHTS: usize, const PROFILES: usize> SceneBuf<T, OBJECTS, LIGHTS, PROFILES> {
+    /// Nothing, seen from nowhere: static memory for [`copy_from`](Self::copy_from) to fill.
+    pub const EMPTY: Self =
+        Self::new(Camera::with_half_height(Vec3::ZERO, Vec3::ZERO, Vec3::ZERO, T::ZERO), Background::Solid(Rgb::BLACK));
+
     /// An empty scene in a vacuum.
     pub const fn new(camera: Camera<T>, background: Background<T>) -> Self {
         Self {
@@ -111,6 +117,7 @@ impl<T: Real, const OBJECTS: usize, const LIGHTS: usize, const PROFILES: usize> 
             tone: Tone::Linear,
             black_hole: None,
             shadow_rays: ShadowRays::Straight,
+            offset: Offset::Bounded,
             objects: Vec::new(),
             lights: Vec::new(),
             profiles: Vec::new(),
@@ -141,6 +148,7 @@ impl<T: Real, const OBJECTS: usize, const LIGHTS: usize, const PROFILES: usize> 
         self.tone = scene.tone.map(&convert);
         self.black_hole = scene.black_hole.map(|hole| hole.map(&convert));
         self.shadow_rays = scene.shadow_rays;
+        self.offset = scene.offset.map(&convert);
         for profile in scene.profiles {
             let table = Full { what: "table in another number type", capacity: 0 };
             self.add_profile(profile.map(&convert).ok_or(table)?)?;
@@ -215,6 +223,7 @@ impl<T: Real, const OBJECTS: usize, const LIGHTS: usize, const PROFILES: usize> 
             profiles: &self.profiles,
             black_hole: self.black_hole,
             shadow_rays: self.shadow_rays,
+            offset: self.offset,
         }
     }
 }

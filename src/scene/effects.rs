@@ -146,6 +146,8 @@ effects! {
     BLACK_HOLE = 60, "black-hole";
     /// [`ShadowRays::Bent`](super::ShadowRays::Bent), in a scene that bends light.
     BENT_SHADOWS = 61, "bent-shadows";
+    /// Rays that start at a fixed distance from the surfaces that they leave.
+    FIXED_OFFSET = 62, "fixed-offset";
 }
 
 impl Effects {

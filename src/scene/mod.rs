@@ -12,6 +12,7 @@ mod medium;
 #[cfg(feature = "nff")]
 pub mod nff;
 mod object;
+mod offset;
 mod packed_spheres;
 mod pattern;
 mod profile;
@@ -30,6 +31,7 @@ pub use light::{Emitter, Falloff, Light};
 pub use material::{Balance, Body, Exponent, Highlight, Lobe, Material};
 pub use medium::{Channel, Index, Medium};
 pub use object::{Object, Shadow, Sides};
+pub use offset::Offset;
 pub(crate) use packed_spheres::{Cluster, LANES};
 pub use packed_spheres::{PackedSpheres, SphereList};
 pub use pattern::Pattern;
@@ -64,6 +66,8 @@ pub struct Scene<'a, T> {
     pub black_hole: Option<BlackHole<T>>,
     /// How shadow rays go where light is bent.
     pub shadow_rays: ShadowRays,
+    /// How far from a surface the next ray starts.
+    pub offset: Offset<T>,
 }
 
 /// From light to the values of pixels.
@@ -94,6 +98,7 @@ impl<'a, T: Real> Scene<'a, T> {
             profiles: &[],
             black_hole: None,
             shadow_rays: ShadowRays::Straight,
+            offset: Offset::Bounded,
         }
     }
 
@@ -131,6 +136,12 @@ impl<'a, T: Real> Scene<'a, T> {
     #[must_use]
     pub const fn with_bent_shadows(self) -> Self {
         Self { shadow_rays: ShadowRays::Bent, ..self }
+    }
+
+    /// The same scene with rays that start so far from the surfaces that they leave.
+    #[must_use]
+    pub const fn with_offset(self, offset: Offset<T>) -> Self {
+        Self { offset, ..self }
     }
 
     /// The profile that an index of refraction names, if it names one.

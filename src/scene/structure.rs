@@ -5,7 +5,9 @@ use super::{
     Aperture, Background, Effects, Emitter, Exponent, Film, Fresnel, Interface, Law, Level, Light, Lobe, Material,
     Medium, Method,
 };
-use super::{Object, Pattern, Profile, Scene, Shadow, ShadowRays, Shape, Sides, Spectrum, Steps, Thickness, Tone};
+use super::{
+    Object, Offset, Pattern, Profile, Scene, Shadow, ShadowRays, Shape, Sides, Spectrum, Steps, Thickness, Tone,
+};
 
 impl<T> Scene<'_, T> {
     /// The effects that the scene calls for. It reads structure only (which variants, `Some` or `None`), never a
@@ -27,6 +29,9 @@ impl<T> Scene<'_, T> {
         }
         if matches!(self.tone, Tone::Display { .. }) {
             effects = effects.with(Effects::DISPLAY_TONE);
+        }
+        if matches!(self.offset, Offset::Fixed(_)) {
+            effects = effects.with(Effects::FIXED_OFFSET);
         }
         effects = effects.with(self.medium.effects());
         let mut i = 0;

@@ -275,7 +275,7 @@ mod tests {
                 assert_eq!(Some(border.before.at(None)), event["n1"].as_f64(), "{event}");
                 assert_eq!(border.behind.map(|index| index.at(None)), event["n2"].as_f64(), "{event}");
                 media = border.media;
-                ray = hit.surface::<ALL>(&ray).leave(ray.direction, !hit.contact.front());
+                ray = hit.surface::<ALL>(&ray, &scene.offset).leave(ray.direction, !hit.contact.front());
                 count += 1;
             }
         }

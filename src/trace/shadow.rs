@@ -55,7 +55,7 @@ pub(super) fn light_share<T: Real, const EFFECTS: u64, const MEDIA: usize, O: Ob
         passed += 1;
         share = share * media.transmittance(scene, hit.contact.t);
         left = (left - hit.contact.t).max(T::ZERO);
-        let surface = hit.surface::<EFFECTS>(&ray);
+        let surface = hit.surface::<EFFECTS>(&ray, &scene.offset);
         let crossing = Crossing { hit: &hit, ray: &ray, reach: surface.reach(ray.direction, hit.contact.t) };
         let (behind, overflow) = media.behind::<T, EFFECTS>(scene, &crossing, is_tinted);
         if overflow {

@@ -176,7 +176,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tr
             };
         }
         let hit = next_surface::<T, EFFECTS>(self.scene, ray)?;
-        Some(Intersection::new::<EFFECTS>(&hit, self.number_of(&hit)?, ray))
+        Some(Intersection::new::<EFFECTS>(&hit, self.number_of(&hit)?, ray, &self.scene.offset))
     }
 
     /// Where light goes that starts as a ray, in at most so many steps if it is bent. The ray is as for
@@ -202,7 +202,7 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize> Tr
         match Path::new(self.scene, index).follow::<EFFECTS>(ray, &mut StepsLeft::new(steps)) {
             Arrival::Surface(landing) => {
                 let object = self.number_of(&landing.hit).unwrap_or(self.scene.objects.len());
-                let there = Intersection::new::<EFFECTS>(&landing.hit, object, &landing.chord);
+                let there = Intersection::new::<EFFECTS>(&landing.hit, object, &landing.chord, &self.scene.offset);
                 let (direction, distance) = (landing.direction, landing.distance);
                 Destination::Surface(Intersection { direction, distance, ..there })
             }

@@ -172,7 +172,7 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             self.gathered.gather(branch.throughput, background::<T, EFFECTS>(scene, branch.ray.direction));
             return;
         };
-        let surface = hit.surface::<EFFECTS>(&branch.ray).facing(hit.contact.front());
+        let surface = hit.surface::<EFFECTS>(&branch.ray, &scene.offset).facing(hit.contact.front());
         let reach = if MEDIA > 0 { surface.reach(branch.ray.direction, hit.contact.t) } else { T::ZERO };
         let border = branch.media.border::<T, EFFECTS>(scene, &Crossing { hit: &hit, ray: &branch.ray, reach });
         if border.overflow {

@@ -6,8 +6,8 @@
 #![allow(unreachable_pub, clippy::panic, clippy::unwrap_used)]
 
 use whit::scene::{
-    Annulus, Aperture, AxisBox, BlackHole, Cone, Disc, Emitter, Falloff, Film, Law, Lens, Level, Method, PackedSpheres,
-    Plane, Profile, SmoothTriangle, Sphere, SphereList, Steps, Thickness, Triangle,
+    Annulus, Aperture, AxisBox, BlackHole, Cone, Disc, Emitter, Falloff, Film, Law, Lens, Level, Method, Offset,
+    PackedSpheres, Plane, Profile, SmoothTriangle, Sphere, SphereList, Steps, Thickness, Triangle,
 };
 use whit::{Camera, Interface, Light, Material, Medium, Object, Pattern, Scene, Shape};
 
@@ -40,6 +40,10 @@ impl Scaled {
                 profiles: &[],
                 black_hole: scene.black_hole.map(|hole| black_hole(hole, scale)),
                 shadow_rays: scene.shadow_rays,
+                offset: match scene.offset {
+                    Offset::Bounded => Offset::Bounded,
+                    Offset::Fixed(distance) => Offset::Fixed(distance * scale),
+                },
             },
             objects: objects.collect(),
             lights: scene.lights.iter().map(|one| light(*one, scale)).collect(),

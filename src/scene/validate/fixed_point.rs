@@ -19,7 +19,7 @@ const LONGEST: f32 = 1.5;
 const SHORTEST: f32 = 1.0 / 64.0;
 
 impl Range {
-    fn length(&self, x: f32, field: &'static str) -> Result<(), Fault> {
+    pub(super) fn length(&self, x: f32, field: &'static str) -> Result<(), Fault> {
         check(within(x, -self.coordinate, self.coordinate), field, self.coordinate_text)
     }
 

@@ -13,11 +13,11 @@ mod shape;
 
 pub use error::{Place, SceneError};
 
-use super::{Background, Index, Material, Medium, Object, Scene, Shadow, Tone};
+use super::{Background, Index, Material, Medium, Object, Offset, Scene, Shadow, Tone};
 use crate::math::{Range, Real};
 use material::attenuation;
 pub(super) use number::color;
-use number::{Fault, amount, check, ensure, length, refraction, unit, within};
+use number::{Fault, amount, check, ensure, length, positive, refraction, unit, within};
 #[cfg(feature = "nff")]
 pub(super) use number::{direction, point};
 
@@ -33,6 +33,11 @@ impl Scene<'_, f32> {
         }
         if let Err((field, expected)) = check_surroundings(&self.background, &self.tone, &self.medium) {
             return Err(SceneError { place: Place::Scene, field, expected });
+        }
+        if let Offset::Fixed(distance) = self.offset {
+            if let Err((field, expected)) = positive(distance, "offset") {
+                return Err(SceneError { place: Place::Scene, field, expected });
+            }
         }
         if let Err((field, expected)) = check_count(self.objects.len()) {
             return Err(SceneError { place: Place::Scene, field, expected });
@@ -124,6 +129,9 @@ impl<T: Real> Scene<'_, T> {
         self.camera.map(T::to_f32).check().map_err(at(Place::Camera))?;
         let (background, tone) = (self.background.map(T::to_f32), self.tone.map(T::to_f32));
         check_surroundings(&background, &tone, &self.medium.map(T::to_f32)).map_err(at(Place::Scene))?;
+        if let Offset::Fixed(distance) = self.offset {
+            positive(distance.to_f32(), "offset").map_err(at(Place::Scene))?;
+        }
         check_count(self.objects.len()).map_err(at(Place::Scene))?;
         for (i, object) in self.objects.iter().enumerate() {
             let mut index = 0;
@@ -155,6 +163,9 @@ impl<T: Real> Scene<'_, T> {
         range.camera(&self.camera.map(T::to_f32)).map_err(at(Place::Camera))?;
         let (background, tone) = (self.background.map(T::to_f32), self.tone.map(T::to_f32));
         range.surroundings(&background, &tone).map_err(at(Place::Scene))?;
+        if let Offset::Fixed(distance) = self.offset {
+            range.length(distance.to_f32(), "offset").map_err(at(Place::Scene))?;
+        }
         range.medium(&self.medium.map(T::to_f32), "medium.index").map_err(at(Place::Scene))?;
         for (i, object) in self.objects.iter().enumerate() {
             let mut index = 0;

@@ -1,12 +1,12 @@
 //! A whole run.
 
-use whit::scene::{Medium, ShadowRays};
+use whit::scene::{Medium, Offset, ShadowRays};
 use whit::{Background, Camera, Fresnel, Light, Object, Ray, Scene, Settings, Tone};
 
 use super::Source;
 use super::bending::Bending;
 use super::objects::Thing;
-use super::span::{AMOUNT, LENGTH};
+use super::span::{AMOUNT, LENGTH, POSITIVE};
 
 /// A scene with the memory that it borrows from, and what is asked of it.
 #[derive(Clone, Debug)]
@@ -16,6 +16,7 @@ pub struct Run {
     things: Vec<Thing>,
     lights: Vec<Light<f32>>,
     bending: Bending,
+    offset: Offset<f32>,
     camera: Camera<f32>,
     background: Background<f32>,
     medium: Medium<f32>,
@@ -58,8 +59,12 @@ impl Run {
             step: 1 + source.below(9) as u32,
             rays: (0..source.below(4)).map(|_| source.ray()).collect(),
             bending: Bending { profiles: Vec::new(), black_hole: None, shadow_rays: ShadowRays::Straight },
+            offset: Offset::Bounded,
         };
         run.bend(source);
+        if source.once_in(8) {
+            run.offset = Offset::Fixed(source.number(POSITIVE));
+        }
         run
     }
 
@@ -90,6 +95,7 @@ impl Run {
             profiles: &self.bending.profiles,
             black_hole: self.bending.black_hole,
             shadow_rays: self.bending.shadow_rays,
+            offset: self.offset,
         }
     }
 }
