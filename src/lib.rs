@@ -93,6 +93,10 @@ pub mod scene;
 pub mod trace;
 
 pub use intersect::{Destination, Intersection, Ray};
+#[cfg(feature = "micromath")]
+pub use math::Fast;
+#[cfg(feature = "fixed")]
+pub use math::{Q16, Q20};
 pub use math::{Real, Rgb, Vec3};
 pub use render::{Frame, Framebuffer, Settings};
 pub use scene::{

@@ -86,6 +86,10 @@ numbers! {
     1, "f64": f64;
     // As the other types are: what the conversion alone costs.
     2, "f32-converted": f32;
+    #[cfg(feature = "micromath")]
+    3, "fast": whit::Fast;
+    #[cfg(feature = "micromath")]
+    6, "micromath": whit::math::Micromath;
     #[cfg(feature = "fixed")]
     4, "q16": whit::math::Q16;
     #[cfg(feature = "fixed")]

@@ -4,7 +4,7 @@ use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use super::accumulate::{Accumulate, accumulate_in_place};
-use super::{Range, Vec3, exact_product, square_root};
+use super::{HAS_FPU, Range, Vec3, exact_product, integer_floor, square_root, trigonometry};
 
 /// A scalar number type.
 ///
@@ -63,6 +63,12 @@ pub trait Real:
     fn powf(self, y: Self) -> Self;
     /// The largest integer that is not above x.
     fn floor(self) -> Self;
+
+    /// Sine and cosine of 2π·self, as `(sin, cos)`: see [`sin_cos_turns`](super::sin_cos_turns).
+    #[inline]
+    fn sin_cos_turns(self) -> (Self, Self) {
+        trigonometry::by_polynomials(self)
+    }
 
     /// So many roundings of numbers that are as large as this one, and of factors of about 1 with which it is multiplied;
     /// `self ≥ 0`.
@@ -188,6 +194,9 @@ impl Real for f32 {
     }
     #[inline(never)]
     fn floor(self) -> Self {
+        if !HAS_FPU {
+            return integer_floor::floor(self);
+        }
         // A few instructions in place of a call. From 2²³ on there are no fractions.
         let truncated = self as i32 as f32;
         let whole = if truncated > self { truncated - 1.0 } else { truncated };

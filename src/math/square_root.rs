@@ -1,4 +1,4 @@
-//! The square root that the hardware has.
+//! The square root that the hardware has, or one in integers where it has none.
 //!
 //! `core` has no stable square root and `libm`'s is integer code on Arm, also where there is an FPU. The C
 //! symbols below are known to the compiler, which replaces the call by `vsqrt.f32`, `sqrtss` or
@@ -9,6 +9,8 @@
 //! call beside the instruction, and the function in the program.
 #![allow(unsafe_code)] // Declaring a foreign function is all it takes; the functions themselves are safe to call.
 
+use super::{HAS_FPU, integer_root};
+
 unsafe extern "C" {
     safe fn sqrtf(x: f32) -> f32;
     safe fn sqrt(x: f64) -> f64;
@@ -16,7 +18,8 @@ unsafe extern "C" {
 
 #[inline(always)]
 pub(super) fn f32(x: f32) -> f32 {
-    sqrtf(x.abs())
+    // Where there is no FPU, the runtime library's takes four times as long.
+    if HAS_FPU { sqrtf(x.abs()) } else { integer_root::square_root(x) }
 }
 
 #[inline(always)]

@@ -22,6 +22,12 @@ pub fn sin_cos_eighth<T: Real>(x: T) -> (T, T) {
 /// From 2²³ on an `f32` holds whole turns only.
 #[inline]
 pub fn sin_cos_turns<T: Real>(turns: T) -> (T, T) {
+    turns.sin_cos_turns()
+}
+
+/// The same by polynomials, for any number type.
+#[inline]
+pub(super) fn by_polynomials<T: Real>(turns: T) -> (T, T) {
     let c = T::from_f32;
     let magnitude = turns.abs();
     let mut x = magnitude - magnitude.floor();
