@@ -47,8 +47,8 @@
 //! # Conventions
 //!
 //! - Space is right-handed. A picture's rows are counted from the top and its columns from the left.
-//! - Lengths are in scene units, as the user chooses them; there is no fixed epsilon anywhere. Coordinates go up to
-//!   1e12.
+//! - Lengths are in scene units, as the user chooses them; there is no fixed epsilon unless a scene asks for one
+//!   ([`Offset`](scene::Offset)). Coordinates go up to 1e12.
 //! - Angles are in degrees where a name says so ([`Camera::look_at`]), and else come as their tangent or cosine.
 //! - Colours are linear light in the primaries of Rec. 709; the framebuffer encodes them ([`render::Encoding`]).
 //! - The outside of a shape is where its normal points. Where a ray goes in, the medium changes from what is outside to
@@ -77,6 +77,25 @@
 //!
 //! - `nff` (default): the reader of Neutral File Format scenes, [`scene::nff`].
 //! - `embedded-graphics`: framebuffers over any `embedded_graphics` draw target.
+//! - `micromath`: the number type [`Fast`], an `f32` with approximate functions, and
+//!   [`Micromath`](math::Micromath), which has those of the crate `micromath`.
+//! - `fixed`: the number types [`Q16`] and [`Q20`], fixed point over the crate `fixed`.
+//!
+//! A feature only makes a type available; it never changes a picture.
+//!
+//! # Number types
+//!
+//! Everything is generic over [`Real`]. What each type costs in accuracy and in time, with all other choices that trade the
+//! one for the other, is measured in `docs/accuracy.md`.
+//!
+//! | type | for |
+//! |---|---|
+//! | `f32` | the default; processors with an FPU |
+//! | `f64` | a reference |
+//! | [`Fast`] | processors without an FPU, in scenes with films, attenuation or real exponents of highlights |
+//! | [`Q16`], [`Q20`] | processors without an FPU: a fifth of the instructions of `f32`, in scenes that fit and bend no light |
+//!
+//! A constant `f32` scene gets into another type by [`SceneBuf::from_scene`] or, in place, [`SceneBuf::copy_from`].
 #![cfg_attr(not(test), no_std)]
 
 /// The README's programs.

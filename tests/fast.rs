@@ -77,8 +77,8 @@ fn operators_are_those_of_f32() {
 #[test]
 fn exponential_is_as_good_as_stated() {
     let error = |x: f32| (f64::from(Fast(x).exp().0) / f64::from(x).exp() - 1.0).abs();
-    assert_states(3.6e-5, worst_of_both(10.0, (499, 1), error));
-    assert_states(5.5e-5, worst_of_both(87.0, (499, 1), error));
+    assert_states(3.4e-5, worst_of_both(10.0, (499, 1), error));
+    assert_states(5.6e-5, worst_of_both(87.0, (499, 1), error));
     let cases =
         [(f32::INFINITY, f32::INFINITY), (f32::NEG_INFINITY, 0.0), (-1e9, 0.0), (1e9, f32::INFINITY), (0.0, 1.0)];
     for (x, expected) in cases {
@@ -106,7 +106,7 @@ fn powers_are_as_good_as_stated() {
         let found = worst(0..=1.0_f32.to_bits(), (4999, 61), error);
         all = if found.0 > all.0 { found } else { all };
     }
-    assert_states(2.1e-5, all);
+    assert_states(2.2e-5, all);
 }
 
 /// All numbers x and exponents y for which the power is one: the relative error is at most 3e-5·(1 + |log₂ xʸ|).

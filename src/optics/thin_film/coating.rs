@@ -54,7 +54,7 @@ impl<T: Real> Coating<T> {
     }
 
     /// The reflectance by its Fourier series in the film's path difference D = 2·n₁·d·cos θ₁, R = a₀ + 2·Re Σ aₘ·C(mD),
-    /// where C is the eye's [`coherence`].
+    /// where C is the eye's [`coherence`](crate::optics::coherence).
     ///
     /// `cosine` and `thickness` as in [`by_wavelengths`](Self::by_wavelengths). For indices that are the same at all
     /// wavelengths of a channel it is exact up to the table and the last terms. A film in which the wave is evanescent
