@@ -9,6 +9,8 @@ use whit::render::{Sampling, Settings, Size};
 use whit::{Budget, Rgb, Termination};
 
 use crate::scene::{DEPTH, Source};
+use crate::tune::Seconds;
+use crate::tuner::Amount;
 use crate::work::Job;
 
 /// Writes a picture of a scene.
@@ -45,9 +47,16 @@ pub struct Arguments {
     /// What a cut branch shows: background, black, or R,G,B.
     #[arg(long, value_name = "COLOR", default_value = "background", value_parser = parse_termination)]
     termination: Termination<f32>,
+    /// Pick the samples, depth and cutoff: the fastest measured with an error (RMSE) of at most this, such as 1/64.
+    #[arg(long, value_name = "ERROR", conflicts_with_all = ["samples", "adaptive", "depth", "cutoff", "termination"])]
+    pub max_error: Option<Amount>,
+    /// Pick them: the best measured that take at most about this time, such as 50ms or 2s.
+    #[arg(long, value_name = "TIME",
+        conflicts_with_all = ["max_error", "samples", "adaptive", "depth", "cutoff", "termination"])]
+    pub max_time: Option<Seconds>,
     /// Threads [default: one a core].
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
-    threads: usize,
+    pub threads: usize,
     /// Render only these rows, counted from the top; the picture holds no others.
     #[arg(long, value_name = "A..B", value_parser = parse_rows)]
     rows: Option<Range<u32>>,
@@ -68,9 +77,18 @@ impl Arguments {
         self.output.clone().unwrap_or_else(default)
     }
 
+    pub fn size(&self, source: &Source) -> Size {
+        self.size.unwrap_or(source.size())
+    }
+
+    /// The rows of a picture of that size.
+    pub fn rows_of(&self, size: Size) -> Range<u32> {
+        self.rows.clone().unwrap_or(0..size.height)
+    }
+
     pub fn job(&self, source: &Source) -> Result<Job, String> {
-        let size = self.size.unwrap_or(source.size());
-        let rows = self.rows.clone().unwrap_or(0..size.height);
+        let size = self.size(source);
+        let rows = self.rows_of(size);
         let sampling = match (self.adaptive, self.samples) {
             (None, 1) => Sampling::Grid(1),
             (None, n) => Sampling::Sequence(n),

@@ -3,8 +3,28 @@
 //!     cargo run --release --example render -- --help
 
 mod arguments;
+#[path = "../accuracy/code.rs"]
+mod code;
+#[allow(dead_code)] // The numbers were worked out before.
+#[path = "../accuracy/difference.rs"]
+mod difference;
+#[allow(dead_code)]
+#[path = "../accuracy/frontier.rs"]
+mod frontier;
+#[allow(dead_code)]
+#[path = "../accuracy/number_name.rs"]
+mod number_name;
 mod output;
+#[allow(dead_code)]
+#[path = "../accuracy/record.rs"]
+mod record;
 mod scene;
+#[allow(dead_code)]
+#[path = "../accuracy/setting.rs"]
+mod setting;
+mod tune;
+#[path = "../accuracy/tuner.rs"]
+mod tuner;
 mod work;
 
 use std::process::ExitCode;
@@ -42,7 +62,10 @@ fn run(arguments: &Arguments) -> Result<(), String> {
         return Ok(());
     }
     let source = scene::Source::open(&arguments.scene)?;
-    let job = arguments.job(&source)?;
+    let job = match tune::job(arguments, &source)? {
+        Some(job) => job,
+        None => arguments.job(&source)?,
+    };
     let picture_file = output::Target::new(&arguments.output_path(&source))?;
     let dropped_file = arguments.dropped.as_deref().map(output::Target::new).transpose()?;
     let started = std::time::Instant::now();

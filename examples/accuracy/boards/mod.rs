@@ -40,13 +40,6 @@ pub fn measure(machine: Machine, program: &Program) -> Result<Vec<Cost>, String>
     said::read(&text, program)
 }
 
-/// The checksums of the runs on this machine, of which all others give the same.
-pub fn checksums_here(program: &Program) -> Result<Vec<u64>, String> {
-    let mut cargo = cargo::example_here("sweep");
-    program.choose(&mut cargo);
-    said::checksums(&library::run(&mut cargo)?, program)
-}
-
 /// Measures programs on machines, in order, and fails where the pictures of a program differ between machines. The programs for a
 /// machine are built in one folder, one after the other, and those of different machines at the same time.
 pub fn measure_all(programs: &[(Machine, Program)]) -> Result<Vec<Measured>, String> {

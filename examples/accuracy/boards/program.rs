@@ -22,7 +22,6 @@ pub struct Program {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Model {
     /// WHIT_FRESNEL
-    ExactFresnel,
     SchlickFresnel,
     /// WHIT_SPECTRUM, for scenes with thin films.
     Wavelengths,
@@ -31,15 +30,14 @@ pub enum Model {
     /// WHIT_STEPS, for scenes that bend light.
     StepLength(f32),
     Tolerance(f32),
-    Layers(f32),
 }
 
 impl Model {
     const fn variable(&self) -> &'static str {
         match self {
-            Self::ExactFresnel | Self::SchlickFresnel => "WHIT_FRESNEL",
+            Self::SchlickFresnel => "WHIT_FRESNEL",
             Self::Wavelengths | Self::Bands(_) | Self::Table => "WHIT_SPECTRUM",
-            Self::StepLength(_) | Self::Tolerance(_) | Self::Layers(_) => "WHIT_STEPS",
+            Self::StepLength(_) | Self::Tolerance(_) => "WHIT_STEPS",
         }
     }
 }
@@ -47,14 +45,12 @@ impl Model {
 impl fmt::Display for Model {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::ExactFresnel => f.write_str("exact"),
             Self::SchlickFresnel => f.write_str("schlick"),
             Self::Wavelengths => f.write_str("wavelengths"),
             Self::Bands(count) => write!(f, "bands:{count}"),
             Self::Table => f.write_str("table"),
             Self::StepLength(length) => write!(f, "length:{length}"),
             Self::Tolerance(tolerance) => write!(f, "tolerance:{tolerance}"),
-            Self::Layers(thickness) => write!(f, "layers:{thickness}"),
         }
     }
 }
@@ -86,7 +82,7 @@ impl Program {
 fn feature(number: &str) -> Option<&'static str> {
     match number {
         "f32" | "f64" => None,
-        "fast" => Some("micromath"),
+        "fast" | "micromath" => Some("micromath"),
         _ => Some("fixed"),
     }
 }

@@ -42,11 +42,6 @@ pub fn read(text: &str, program: &Program) -> Result<Vec<Cost>, String> {
     each(text, program, cost)
 }
 
-/// The checksums that a program printed, run by run.
-pub fn checksums(text: &str, program: &Program) -> Result<Vec<u64>, String> {
-    each(text, program, |(_, words)| checksum(words))
-}
-
 /// Reads what is said after each run.
 fn each<T>(text: &str, program: &Program, read: impl Fn((&Run, &str)) -> Option<T>) -> Result<Vec<T>, String> {
     let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("run ")).collect();

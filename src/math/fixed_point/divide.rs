@@ -123,6 +123,17 @@ mod tests {
         }
     }
 
+    #[test]
+    fn the_reciprocal_is_within_its_bound() {
+        let (mut least, mut most) = (f64::MAX, f64::MIN);
+        for b in (1 << 30..1_u32 << 31).step_by(super::super::effort(97, 0).0) {
+            let product = f64::from(reciprocal(b)) * f64::from(b) / 2_f64.powi(46);
+            (least, most) = (least.min(product), most.max(product));
+        }
+        println!("reciprocal times number: {least} to {most}");
+        assert!(1.0 - least < 2_f64.powi(-13) && most <= 1.0, "{least} {most}");
+    }
+
     /// Both ways give the same, which is exact, also where the remainder is next to 0 or to the divisor.
     #[test]
     fn digits_are_exact() {

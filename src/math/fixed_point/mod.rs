@@ -6,7 +6,6 @@
 //! The small steps are inlined, the large ones are calls, so that a program has each once. No processor is asked for more
 //! than it has: an ARMv6-M multiplies two 32-bit integers to the low 32 bits of the product, and has no division and no
 //! count of leading zeros.
-#![allow(dead_code, unused_imports)]
 
 mod convert;
 mod divide;

@@ -121,6 +121,19 @@ mod tests {
         }
     }
 
+    /// Where a root is next to the middle between two numbers.
+    #[test]
+    fn halves_are_decided() {
+        for frac in [12, 13, 16] {
+            for root in (1_u64 << frac..1 << 21).flat_map(|root| [root - 1, root]) {
+                let x = (root * (root + 1)) >> frac;
+                for x in [x, x + 1].into_iter().filter(|&x| x < 1 << 31) {
+                    assert_eq!(sqrt(x as i32, frac) as u64, exact(x << (frac + 2)).div_ceil(2), "{x} {frac}");
+                }
+            }
+        }
+    }
+
     #[test]
     fn the_estimate_is_within_its_bound() {
         let (mut worst, mut root_error) = (0_f64, 0_f64);

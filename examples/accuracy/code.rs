@@ -1,0 +1,97 @@
+//! A setting as the code that a user of the library writes.
+
+use std::fmt::Write;
+
+use whit::Termination;
+use whit::render::Sampling;
+use whit::scene::Fresnel;
+
+use crate::number_name::NumberName;
+use crate::setting::{Path, Setting, SpectrumName};
+
+/// The code for a picture of a built-in scene.
+pub fn of(setting: &Setting, scene: &str) -> String {
+    let mut code = String::new();
+    let constant = format!("scenes::{}", scene.to_uppercase());
+    let (depth, number) = (setting.depth, setting.number.type_name());
+    match setting.fresnel {
+        Fresnel::Exact => {}
+        Fresnel::Schlick => {
+            let _ = writeln!(code, "const SCENE: Scene<'static, f32> = {constant}.with_fresnel(Fresnel::Schlick);");
+        }
+    }
+    let scene = if setting.fresnel == Fresnel::Schlick { "SCENE" } else { constant.as_str() };
+    if let Some(film) = film(setting.spectrum) {
+        let _ = writeln!(code, "// Of each film: .with_spectrum({film})");
+    }
+    if let Some(steps) = steps(setting.path) {
+        let _ = writeln!(code, "// Of each profile: method: Method::Steps({steps}); of a black hole: steps: {steps}");
+    }
+    if setting.number == NumberName::F32 {
+        let _ = writeln!(code, "let tracer = whit::tracer!({scene}, {depth});");
+    } else {
+        // In the copy, what was in lists stands alone.
+        let _ = writeln!(
+            code,
+            "const EFFECTS: Effects = {scene}.effects().with(Effects::SPHERE).with(Effects::TRIANGLE);\n\
+             let copy = SceneBuf::<{number}, 128, 8, 4>::from_scene(&{scene}, {number}::from_f32)?;\n\
+             let copy = copy.as_scene();\n\
+             let tracer = Tracer::<{number}, {{ EFFECTS.bits() }}, {{ {scene}.stack({depth}) }}, \
+             {{ {scene}.media() }}>::try_new(&copy)?;"
+        );
+    }
+    let _ = writeln!(code, "let budget = {};", budget(setting));
+    let _ = writeln!(
+        code,
+        "let settings = Settings {{ budget, sampling: {}, ..Settings::new(width, height) }};",
+        sampling(setting.sampling)
+    );
+    code
+}
+
+fn budget(setting: &Setting) -> String {
+    let mut fields = String::new();
+    if setting.cutoff != 0.0 {
+        let _ = write!(fields, "cutoff: {:?}, ", setting.cutoff);
+    }
+    match setting.termination {
+        Termination::Background => {}
+        Termination::Black => fields.push_str("termination: Termination::Black, "),
+        Termination::Color(color) => {
+            let _ = write!(
+                fields,
+                "termination: Termination::Color(Rgb::new({:?}, {:?}, {:?})), ",
+                color.r, color.g, color.b
+            );
+        }
+    }
+    let plain = format!("Budget::with_depth({})", setting.depth);
+    if fields.is_empty() { plain } else { format!("Budget {{ {fields}..{plain} }}") }
+}
+
+fn sampling(sampling: Sampling<f32>) -> String {
+    match sampling {
+        Sampling::Grid(n) => format!("Sampling::Grid({n})"),
+        Sampling::Sequence(n) => format!("Sampling::Sequence({n})"),
+        Sampling::Adaptive { first, most, contrast } => {
+            format!("Sampling::Adaptive {{ first: {first}, most: {most}, contrast: {contrast:?} }}")
+        }
+    }
+}
+
+fn film(spectrum: SpectrumName) -> Option<String> {
+    match spectrum {
+        SpectrumName::Own => None,
+        SpectrumName::Wavelengths => Some("Spectrum::Wavelengths".to_owned()),
+        SpectrumName::Bands(n) => Some(format!("Spectrum::Bands(&const {{ bands::<{n}>() }})")),
+        SpectrumName::Table => Some("Spectrum::Table".to_owned()),
+    }
+}
+
+fn steps(path: Path) -> Option<String> {
+    match path {
+        Path::Own => None,
+        Path::Fixed(length) => Some(format!("Steps::Fixed {{ length: {length:?} }}")),
+        Path::Controlled(tolerance) => Some(format!("Steps::Controlled {{ tolerance: {tolerance:?} }}")),
+    }
+}
