@@ -11,7 +11,7 @@ mod difference;
 #[allow(dead_code)]
 #[path = "../accuracy/frontier.rs"]
 mod frontier;
-#[allow(dead_code)]
+#[allow(dead_code, unused_imports)]
 #[path = "../accuracy/number_name.rs"]
 mod number_name;
 mod output;

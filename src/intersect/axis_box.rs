@@ -56,6 +56,11 @@ pub(crate) fn intersect<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, limit: T, out
 #[inline]
 pub(crate) fn locate<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, contact: &Contact<T>) -> Located<T> {
     let mut point = ray.at(contact.t).max(shape.min).min(shape.max);
+    if T::IS_FIXED {
+        // What starts in an edge would not get out of the other face.
+        let step = Vec3::splat(T::SMALLEST);
+        point = point.min(shape.max - step).max(shape.min + step);
+    }
     let mut normal = Vec3::ZERO;
     let (direction, low, high, coordinate, across) = match contact.part() {
         0 => (ray.direction.x, shape.min.x, shape.max.x, &mut point.x, &mut normal.x),

@@ -40,31 +40,35 @@ struct Passage<T: Real> {
     start: T,
     height: T,
     rise: T,
-    a: T,
-    b: T,
+    a: T::Wide,
+    b: T::Wide,
     c: T::Wide,
 }
 
 impl<T: Real> Passage<T> {
+    /// `None` for a ray that is so far from the axis, between the ends, that the numbers for it may not be in range.
     #[inline]
-    fn new(cone: &Cone<T>, axis: &Axis<T>, ends: &Span<T>, ray: &Ray<T>) -> Self {
+    fn new(cone: &Cone<T>, axis: &Axis<T>, ends: &Span<T>, ray: &Ray<T>) -> Option<Self> {
         let (rise, across_rate) = axis.split(ray.direction);
-        let square = across_rate.length_squared();
+        let square = across_rate.square();
         let middle = (cone.base + (cone.apex - cone.base) * T::HALF - ray.origin).dot(ray.direction);
         let (_, across) = axis.split(ray.at(middle) - cone.base);
-        let shift = if square > T::ZERO { -(across.dot(across_rate) / square) } else { T::ZERO };
+        let shift = if square > T::NOTHING { -T::ratio(across.products(across_rate), square) } else { T::ZERO };
         let start = (middle + shift).max(ends.enter.0).min(ends.leave.0);
         let (height, across) = axis.split(ray.at(start) - cone.base);
+        if T::IS_FIXED && across.largest() > T::OUTERMOST * T::HALF {
+            return None;
+        }
         let radius = cone.base_radius.abs() + axis.slope * height;
         let radius_rate = axis.slope * rise;
-        Self {
+        Some(Self {
             start,
             height,
             rise,
-            a: square - radius_rate * radius_rate,
-            b: across.dot(across_rate) - radius * radius_rate,
+            a: square - radius_rate.product(radius_rate),
+            b: across.products(across_rate) - radius.product(radius_rate),
             c: across.square() - radius.product(radius),
-        }
+        })
     }
 }
 
@@ -83,7 +87,7 @@ pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside
         // What is far away is not even looked at: it may be beyond all numbers.
         return None;
     }
-    let passage = Passage::new(cone, &axis, &ends, ray);
+    let passage = Passage::new(cone, &axis, &ends, ray)?;
     let solid = cone.base_radius > T::ZERO || cone.apex_radius > T::ZERO;
     let Passage { start, height, rise, a, b, c } = passage;
     if cone.capped {
@@ -98,7 +102,7 @@ pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside
             continue;
         }
         // Half the rate at which the ray leaves the side.
-        let front = (a.product(t) + b.widened() < T::NOTHING) == solid;
+        let front = (t.times(a) + b < T::NOTHING) == solid;
         let t = start + t;
         if t > T::ZERO && t < limit && (front || !outside_only) {
             return Some(Contact::new(t, front, SIDE));
@@ -114,16 +118,16 @@ impl<T: Real> Passage<T> {
         let Self { start, a, b, c, .. } = *self;
         let Some([first, second]) = roots(a, b, c) else {
             // The ray meets no side: it runs inside or outside all along.
-            return (a < T::ZERO || c <= T::NOTHING).then_some(*caps);
+            return (a < T::NOTHING || c <= T::NOTHING).then_some(*caps);
         };
         let (first, second) = (start + first, start + second);
         let [before, behind] = [caps.until(first), caps.from(second)];
-        let inside = if a > T::ZERO {
+        let inside = if a > T::NOTHING {
             caps.from(first).until(second)
-        } else if a < T::ZERO {
+        } else if a < T::NOTHING {
             // Steeper than the side: outside between the roots, of which one belongs to the mirror image.
             if before.length() > behind.length() { before } else { behind }
-        } else if b > T::ZERO {
+        } else if b > T::NOTHING {
             before
         } else {
             behind
@@ -134,17 +138,19 @@ impl<T: Real> Passage<T> {
 
 /// Where a ray is between the ends of a cone.
 fn between_ends<T: Real>(cone: &Cone<T>, axis: &Axis<T>, ray: &Ray<T>) -> Option<Span<T>> {
-    let [base, apex] = [cone.base, cone.apex].map(|end| (end - ray.origin).dot(axis.unit));
-    let rise = ray.direction.dot(axis.unit);
-    if rise == T::ZERO {
+    // In fixed point the unit vector has fewer digits.
+    let up = if T::IS_FIXED { cone.apex - cone.base } else { axis.unit };
+    let [base, apex] = [cone.base, cone.apex].map(|end| (end - ray.origin).products(up));
+    let rise = ray.direction.products(up);
+    if rise == T::NOTHING {
         let span = Span { enter: (-T::MAX, SIDE), leave: (T::MAX, SIDE) };
-        return (base <= T::ZERO && apex >= T::ZERO).then_some(span);
+        return (base <= T::NOTHING && apex >= T::NOTHING).then_some(span);
     }
     // A tip has no cap.
     let base_part = if cone.base_radius == T::ZERO { SIDE } else { BASE_CAP };
     let apex_part = if cone.apex_radius == T::ZERO { SIDE } else { APEX_CAP };
-    let (base, apex) = ((base / rise, base_part), (apex / rise, apex_part));
-    Some(if rise > T::ZERO { Span { enter: base, leave: apex } } else { Span { enter: apex, leave: base } })
+    let (base, apex) = ((T::ratio(base, rise), base_part), (T::ratio(apex, rise), apex_part));
+    Some(if rise > T::NOTHING { Span { enter: base, leave: apex } } else { Span { enter: apex, leave: base } })
 }
 
 impl<T: Real> Span<T> {
@@ -162,19 +168,15 @@ impl<T: Real> Span<T> {
 }
 
 /// The roots of a·t² + 2·b·t + c in rising order; one root twice where the equation is linear.
-fn roots<T: Real>(a: T, b: T, c: T::Wide) -> Option<[T; 2]> {
-    let discriminant = b.product(b) - a.times(c);
-    if discriminant < T::NOTHING {
-        return None;
-    }
-    let (root, half) = (T::root(discriminant).widened(), b.widened());
+fn roots<T: Real>(a: T::Wide, b: T::Wide, c: T::Wide) -> Option<[T; 2]> {
+    let root = T::root_of_discriminant(a, b, c)?;
     // The sum that does not cancel; the other root comes from the product of the two.
-    let q = if b < T::ZERO { root - half } else { -(root + half) };
+    let q = if b < T::NOTHING { root - b } else { -(root + b) };
     if q == T::NOTHING {
-        return (a != T::ZERO).then_some([T::ZERO; 2]);
+        return (a != T::NOTHING).then_some([T::ZERO; 2]);
     }
     let second = T::ratio(c, q);
-    let first = if a == T::ZERO { second } else { T::ratio(q, a.widened()) };
+    let first = if a == T::NOTHING { second } else { T::ratio(q, a) };
     Some(if first < second { [first, second] } else { [second, first] })
 }
 
@@ -193,8 +195,13 @@ pub(crate) fn locate<T: Real>(cone: &Cone<T>, ray: &Ray<T>, contact: &Contact<T>
     let solid = cone.base_radius > T::ZERO || cone.apex_radius > T::ZERO;
     // Every term is at most the height and the larger radius, plus the distance of the base; each is good to about 6
     // roundings.
-    let size = cone.base.abs() + Vec3::splat(height.abs() + cone.base_radius.abs().max(cone.apex_radius.abs()));
-    let error = size.map(|size| size.roundings(16.0));
+    let size = height.abs() + cone.base_radius.abs().max(cone.apex_radius.abs());
+    let error = if T::IS_FIXED {
+        // Where the base is costs nothing.
+        Vec3::splat(size.roundings(8.0))
+    } else {
+        (cone.base.abs() + Vec3::splat(size)).map(|size| size.roundings(16.0))
+    };
     (Located { point, normal: if solid { normal } else { -normal }, error }, radius.abs())
 }
 

@@ -10,24 +10,56 @@ use crate::scene::Sphere;
 
 /// The first visible contact with a sphere.
 ///
-/// The side that the origin is on is known exactly. The distance between the centre and the ray is off by a rounding, and the
-/// direction's length by two; the room that the next ray is given is more.
+/// The side that the origin is on is known exactly, and with it how many contacts there are. The distance between the centre
+/// and the ray is off by a rounding, and the direction's length by two.
 #[inline]
 pub(super) fn sphere<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let from_center = ray.origin - sphere.center;
     let along = -from_center.dot(ray.direction);
     let square = sphere.radius.product(sphere.radius);
-    if along <= T::ZERO && from_center.square() > square {
+    let distance = from_center.square();
+    if along <= T::ZERO && distance >= square {
         return None;
     }
+    let is_outside = distance > square;
     let discriminant = square - (from_center + ray.direction * along).square();
-    if discriminant < T::NOTHING {
+    if is_outside && discriminant < T::NOTHING {
         return None;
     }
-    let half = T::root(discriminant);
+    let half = if discriminant > T::NOTHING { T::root(discriminant) } else { T::ZERO };
     let solid = sphere.radius > T::ZERO;
-    let contacts = [Contact::new(along - half, solid, 0), Contact::new(along + half, !solid, 0)];
-    ray::first(contacts, limit, outside_only)
+    // However they are rounded, they lie ahead.
+    let far = Contact::new((along + half).max(T::SMALLEST), !solid, 0);
+    let near = if is_outside { Contact::new((along - half).max(T::SMALLEST), solid, 0) } else { far };
+    ray::first([near, far], limit, outside_only)
+}
+
+/// The point of a contact. Its direction from the centre has more digits than numbers have, as many as the largest radius needs.
+#[inline]
+pub(super) fn locate_on_sphere<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contact<T>) -> Located<T> {
+    let solid = sphere.radius > T::ZERO;
+    // A sphere far smaller than a rounding of its distance is met in its centre.
+    let facing = if contact.front() == solid { -ray.direction } else { ray.direction };
+    let towards = (ray.origin - sphere.center) + ray.direction * contact.t;
+    let radius = sphere.radius.abs();
+    let (outward, local) = T::of_length(towards, radius).unwrap_or((facing, facing * radius));
+    Located { point: sphere.center + local, normal: if solid { outward } else { -outward }, error: two_roundings() }
+}
+
+/// A point moved onto the plane through `anchor` across `direction`, by a multiple of the direction as it is.
+pub(super) fn locate_on_plane<T: Real>(
+    point: Vec3<T>,
+    anchor: Vec3<T>,
+    direction: Vec3<T>,
+    normal: Vec3<T>,
+) -> Located<T> {
+    let steps = T::ratio((point - anchor).products(direction), direction.square());
+    Located { point: point - direction * steps, normal, error: two_roundings() }
+}
+
+/// The error of a point whose coordinates are two sums or products, and of a length that is rounded once.
+fn two_roundings<T: Real>() -> Vec3<T> {
+    Vec3::splat(T::SMALLEST + T::SMALLEST)
 }
 
 /// Where a ray crosses the plane of a triangle.
@@ -57,16 +89,15 @@ pub(super) fn triangle<T: Real>([a, b, c]: [Vec3<T>; 3]) -> Option<Crossing<T>> 
         return None;
     }
     let shares = weights.map(|weight| T::ratio(weight, sum));
-    let [u, v, w] = shares;
-    let t = T::narrow(u.product(a.z) + v.product(b.z) + w.product(c.z));
+    let part = |z: T, weight| z.scaled(T::share(weight, sum));
+    let t = part(a.z, weights[0]) + part(b.z, weights[1]) + part(c.z, weights[2]);
     Some(Crossing { shares, t, is_clockwise: sum > zero })
 }
 
-/// The point of a triangle with these shares of its corners. Its error is that of the shares times the edges, wherever the
-/// triangle is.
+/// The point of a triangle with these shares of its corners. However they are rounded, it is in the plane of the triangle to
+/// two roundings; so is the distance of a crossing, and that of the corners once they are sheared.
 pub(super) fn locate_on_triangle<T: Real>([a, b, c]: &[Vec3<T>; 3], [_, v, w]: [T; 3], ray: &Ray<T>) -> Located<T> {
     let (ab, ac) = (*b - *a, *c - *a);
     let normal = T::unit_of_sums(ab.cross_products(ac)).unwrap_or(-ray.direction);
-    let size = ab.largest().max(ac.largest());
-    Located { point: *a + ab * v + ac * w, normal, error: Vec3::splat(size.roundings(16.0)) }
+    Located { point: *a + ab * v + ac * w, normal, error: two_roundings() }
 }

@@ -1,20 +1,20 @@
 //! Ray against plane and disc.
 
-use super::{Contact, Located, Ray};
+use super::{Contact, Located, Ray, fixed_point};
 use crate::math::{Real, Vec3};
 use crate::scene::{Annulus, Disc, Plane};
 
 /// The contact nearer than `limit`, if it may be seen. A ray along the plane does not meet it.
 #[inline]
 pub(crate) fn intersect<T: Real>(plane: &Plane<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
-    let towards = ray.direction.dot(plane.normal);
-    let height = (plane.point - ray.origin).dot(plane.normal);
-    let front = towards < T::ZERO;
+    let towards = ray.direction.products(plane.normal);
+    let height = (plane.point - ray.origin).products(plane.normal);
+    let front = towards < T::NOTHING;
     // Half of all rays move away from a plane; they are spared the division.
-    if (height < T::ZERO) != front || towards == T::ZERO || (outside_only && !front) {
+    if (height < T::NOTHING) != front || towards == T::NOTHING || (outside_only && !front) {
         return None;
     }
-    let t = height / towards;
+    let t = T::ratio(height, towards);
     // It is the only shape without bounds, and what is far out has no room in fixed point.
     if T::IS_FIXED && t < limit && ray.at(t).largest() > T::OUTERMOST {
         return None;
@@ -28,6 +28,9 @@ pub(crate) fn intersect<T: Real>(plane: &Plane<T>, ray: &Ray<T>, limit: T, outsi
 #[inline]
 pub(crate) fn locate<T: Real>(point: Vec3<T>, anchor: Vec3<T>, direction: Vec3<T>) -> Located<T> {
     let normal = direction.normalized();
+    if T::IS_FIXED {
+        return fixed_point::locate_on_plane(point, anchor, direction, normal);
+    }
     let height = normal * (point - anchor).dot(normal);
     let point = point - height;
     let error = (point.abs() + anchor.abs() + height.abs()).map(|size| size.roundings(8.0));

@@ -61,6 +61,9 @@ fn level<T: Real>(sphere: &Sphere<T>, point: Vec3<T>) -> T {
 /// The point of a contact. It is moved onto the sphere, so its error does not grow with the distance.
 #[inline]
 pub(crate) fn locate<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contact<T>) -> Located<T> {
+    if T::IS_FIXED {
+        return fixed_point::locate_on_sphere(sphere, ray, contact);
+    }
     let solid = sphere.radius > T::ZERO;
     // A sphere far smaller than a rounding of its distance is met in its centre.
     let facing = if contact.front() == solid { -ray.direction } else { ray.direction };
@@ -69,10 +72,6 @@ pub(crate) fn locate<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contac
     let radius = sphere.radius.abs();
     let local = outward * radius;
     let mut point = sphere.center + local;
-    if T::IS_FIXED {
-        // The direction is good to a rounding, and the contact lies deeper by as much as its own length is off.
-        return Located { point, normal, error: Vec3::splat(radius.roundings(16.0)) };
-    }
     // The direction is good to 4 roundings, its product with r to 5; 8 leave room for the discriminant's own.
     let (mut size, mut roundings, mut rest) = (local, T::from_f32(8.0) * T::ROUNDOFF, T::ZERO);
     if point.largest() * T::TWO < radius {

@@ -74,7 +74,7 @@ impl<T: Real> Surface<T> {
     /// surface, with room for the rounding of the contact.
     pub(crate) fn reach(&self, direction: Vec3<T>, t: T) -> T {
         let cosine = self.normal.dot(direction).abs().max(T::from_f32(1.0 / 16.0));
-        T::from_f32(4.0) * self.offset.length() / cosine + t.roundings(64.0)
+        T::from_f32(4.0) * self.offset.length() / cosine + t.roundings(if T::IS_FIXED { 16.0 } else { 64.0 })
     }
 
     /// A ray that leaves the surface: to the outside, or to the inside.

@@ -35,13 +35,19 @@ pub trait Accumulate: Copy {
     fn held(sum: Self::Wide) -> Self;
     /// The square root of a sum that is not negative.
     fn root(sum: Self::Wide) -> Self;
+    /// √(b² − a·c), and `None` where it is not real.
+    fn root_of_discriminant(a: Self::Wide, b: Self::Wide, c: Self::Wide) -> Option<Self::Wide>;
     /// dividend/divisor
     fn ratio(dividend: Self::Wide, divisor: Self::Wide) -> Self;
-    /// A sum of so many numbers, 1 or more, divided by how many they are.
+    /// The same number, as one of many whose mean is asked for.
+    fn summand(self) -> Self::Wide;
+    /// A sum of so many of them, 1 or more, divided by how many they are.
     fn mean(sum: Self::Wide, count: u32) -> Self;
     /// dividend/divisor as a factor for large numbers, with digits enough for them; both are above 0.
     fn factor(dividend: Self, divisor: u32) -> Self::Wide;
-    /// self·factor
+    /// dividend/divisor as such a factor; it is from 0 to 1.
+    fn share(dividend: Self::Wide, divisor: Self::Wide) -> Self::Wide;
+    /// self·factor, the largest number where it is beyond.
     fn scaled(self, factor: Self::Wide) -> Self;
     /// What is left of a square that is 0 or more when `count` roundings of it are taken off.
     fn less(square: Self::Wide, count: f32) -> Self::Wide;
@@ -49,6 +55,8 @@ pub trait Accumulate: Copy {
     fn unit(vector: Vec3<Self>) -> Option<Vec3<Self>>;
     /// The same for a vector of sums.
     fn unit_of_sums(vector: Vec3<Self::Wide>) -> Option<Vec3<Self>>;
+    /// The same, and the vector of this length in that direction, which is good to a rounding.
+    fn of_length(vector: Vec3<Self>, length: Self) -> Option<(Vec3<Self>, Vec3<Self>)>;
     /// A vector's direction and length; `None` for the zero vector.
     fn direction_and_length(vector: Vec3<Self>) -> Option<(Vec3<Self>, Self)>;
 }
@@ -85,8 +93,17 @@ macro_rules! accumulate_in_place {
                 Real::sqrt(sum)
             }
             #[inline(always)]
+            fn root_of_discriminant(a: Self, b: Self, c: Self) -> Option<Self> {
+                let discriminant = b * b - a * c;
+                if discriminant < Self::ZERO { None } else { Some(Real::sqrt(discriminant)) }
+            }
+            #[inline(always)]
             fn ratio(dividend: Self, divisor: Self) -> Self {
                 dividend / divisor
+            }
+            #[inline(always)]
+            fn summand(self) -> Self {
+                self
             }
             #[inline(always)]
             fn mean(sum: Self, count: u32) -> Self {
@@ -95,6 +112,10 @@ macro_rules! accumulate_in_place {
             #[inline(always)]
             fn factor(dividend: Self, divisor: u32) -> Self {
                 dividend / Self::from_u32(divisor)
+            }
+            #[inline(always)]
+            fn share(dividend: Self, divisor: Self) -> Self {
+                dividend / divisor
             }
             #[inline(always)]
             fn scaled(self, factor: Self) -> Self {
@@ -112,6 +133,10 @@ macro_rules! accumulate_in_place {
             #[inline]
             fn unit_of_sums(vector: Vec3<Self>) -> Option<Vec3<Self>> {
                 Self::unit(vector)
+            }
+            #[inline]
+            fn of_length(vector: Vec3<Self>, length: Self) -> Option<(Vec3<Self>, Vec3<Self>)> {
+                Self::unit(vector).map(|unit| (unit, unit * length))
             }
             #[inline]
             fn direction_and_length(vector: Vec3<Self>) -> Option<(Vec3<Self>, Self)> {

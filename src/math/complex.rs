@@ -37,7 +37,13 @@ impl<T: Real> Complex<T> {
     #[inline]
     #[must_use]
     pub fn norm_squared(self) -> T {
-        self.re * self.re + self.im * self.im
+        T::narrow(self.square())
+    }
+
+    /// |z|², not yet rounded.
+    #[inline]
+    pub(crate) fn square(self) -> T::Wide {
+        self.re.product(self.re) + self.im.product(self.im)
     }
 
     /// From `self` at `t` = 0 to `other` at `t` = 1.
@@ -111,7 +117,7 @@ impl<T: Real> Div for Complex<T> {
     fn div(self, divisor: Self) -> Self {
         if T::IS_FIXED {
             // Not through a reciprocal, which would have few digits.
-            let square = divisor.re.product(divisor.re) + divisor.im.product(divisor.im);
+            let square = divisor.square();
             let re = self.re.product(divisor.re) + self.im.product(divisor.im);
             let im = self.im.product(divisor.re) - self.re.product(divisor.im);
             return Self::new(T::ratio(re, square), T::ratio(im, square));

@@ -188,8 +188,8 @@ impl<Frac: Unsigned> MulAssign for Q<Frac> {
     }
 }
 
-/// How many more bits of fraction than a number a factor has: [`Accumulate::factor`].
-const FINER: u32 = 12;
+/// The bits of fraction of a [factor](Accumulate::factor), so that one of up to 16 times any column of a picture has room.
+const FACTOR: u32 = 30;
 
 impl<Frac: LeEqU32 + 'static> Accumulate for Q<Frac> {
     /// With twice the bits of fraction, but for factors.
@@ -202,7 +202,8 @@ impl<Frac: LeEqU32 + 'static> Accumulate for Q<Frac> {
     }
     #[inline]
     fn times(self, sum: i64) -> i64 {
-        i64::from(self.to_bits()) * (sum >> Self::F)
+        let (factor, upper, lower) = (i64::from(self.to_bits()), sum >> Self::F, sum & ((1 << Self::F) - 1));
+        factor * upper + ((factor * lower) >> Self::F)
     }
     #[inline(always)]
     fn widened(self) -> i64 {
@@ -222,19 +223,36 @@ impl<Frac: LeEqU32 + 'static> Accumulate for Q<Frac> {
     fn root(sum: i64) -> Self {
         Self::from_bits(raw::square_root(sum as u64) as i32)
     }
+    fn root_of_discriminant(a: i64, b: i64, c: i64) -> Option<i64> {
+        let square = i128::from(b) * i128::from(b) - i128::from(a) * i128::from(c);
+        let square = u128::try_from(square).ok()?;
+        // By an even number of bits, so that 62 are left.
+        let excess = 67_u32.saturating_sub(square.leading_zeros()) & !1;
+        Some(i64::from(raw::square_root((square >> excess) as u64)) << (excess / 2))
+    }
     #[inline(always)]
     fn ratio(dividend: i64, divisor: i64) -> Self {
         Self::from_bits(raw::ratio(dividend, divisor, Self::F))
     }
+    /// Without more bits of fraction: there may be 2³² of them.
+    #[inline(always)]
+    fn summand(self) -> i64 {
+        self.to_bits().into()
+    }
     fn mean(sum: i64, count: u32) -> Self {
-        Self::held(sum / i64::from(count.max(1)))
+        let count = i64::from(count.max(1));
+        Self::from_bits(((sum + count / 2) / count) as i32)
     }
     fn factor(dividend: Self, divisor: u32) -> i64 {
-        (i64::from(dividend.to_bits()) << FINER) / i64::from(divisor.max(1))
+        (i64::from(dividend.to_bits()) << (FACTOR - Self::F)) / i64::from(divisor.max(1))
+    }
+    #[inline(always)]
+    fn share(dividend: i64, divisor: i64) -> i64 {
+        raw::ratio(dividend, divisor, FACTOR).into()
     }
     fn scaled(self, factor: i64) -> Self {
-        let shift = Self::F + FINER;
-        Self::from_bits(((i64::from(self.to_bits()) * factor + (1 << (shift - 1))) >> shift) as i32)
+        let scaled = (i64::from(self.to_bits()) * factor + (1 << (FACTOR - 1))) >> FACTOR;
+        Self::from_bits(scaled.clamp(-i64::from(LARGEST), i64::from(LARGEST)) as i32)
     }
     /// Products are exact, but a factor of about 1 is not: a unit vector's length is off by two roundings.
     #[inline(always)]
@@ -250,6 +268,16 @@ impl<Frac: LeEqU32 + 'static> Accumulate for Q<Frac> {
     #[inline(always)]
     fn unit_of_sums(Vec3 { x, y, z }: Vec3<i64>) -> Option<Vec3<Self>> {
         raw::unit([x, y, z], Self::F).map(Self::vector)
+    }
+    #[inline]
+    fn of_length(vector: Vec3<Self>, length: Self) -> Option<(Vec3<Self>, Vec3<Self>)> {
+        const FINE: u32 = 26;
+        let Vec3 { x, y, z } = vector.map(Self::to_bits);
+        let fine = raw::unit_narrow([x, y, z], FINE)?;
+        let shift = FINE - Self::F;
+        let unit = fine.map(|x| (x + (1 << (shift - 1))) >> shift);
+        let local = fine.map(|x| raw::narrow(raw::product(x, length.to_bits()), FINE));
+        Some((Self::vector(unit), Self::vector(local)))
     }
     #[inline]
     fn direction_and_length(vector: Vec3<Self>) -> Option<(Vec3<Self>, Self)> {
@@ -328,7 +356,6 @@ impl<Frac: LeEqU32 + 'static> Real for Q<Frac> {
     }
     #[inline(always)]
     fn plus(self, other: Self) -> Self {
-        let sum = self.to_bits().saturating_add(other.to_bits());
-        Self::from_bits(if sum > LARGEST { LARGEST } else { sum })
+        Self::from_bits(self.to_bits().saturating_add(other.to_bits()).clamp(-LARGEST, LARGEST))
     }
 }

@@ -81,6 +81,12 @@ impl<T: Real> Rgb<T> {
     pub fn mix(self, other: Self, t: T) -> Self {
         self * (T::ONE - t) + other * t
     }
+
+    /// The product, or the largest number where it is beyond.
+    #[inline]
+    pub(crate) fn held_product(self, other: Self) -> Self {
+        self.zip(other, |a, b| T::held(a.product(b)))
+    }
 }
 
 impl Rgb<f32> {

@@ -94,7 +94,7 @@ impl<T: Real> Accumulator<T> {
         for (channel, light) in self.channels.iter_mut().zip([color.r, color.g, color.b]) {
             // Huge lights may overflow; a finite pixel is promised. What is not a number would be black, not white.
             let light = light.max(T::ZERO).min(T::MAX);
-            channel.sum = channel.sum + light.widened();
+            channel.sum = channel.sum + light.summand();
             if self.count <= plan.first {
                 channel.darkest = channel.darkest.min(light);
                 channel.brightest = channel.brightest.max(light);

@@ -79,7 +79,7 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
     pub(crate) fn emitted<const EFFECTS: u64>(&self) -> Rgb<T> {
         match &self.material.body {
             Some(body) if Effects::from_bits(EFFECTS).has(Effects::BODY) => {
-                self.throughput * self.color * body.emission
+                (self.throughput * self.color).held_product(Rgb::grey(body.emission))
             }
             _ => Rgb::BLACK,
         }
@@ -116,7 +116,7 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
             };
             if let Some(arriving) = arriving {
                 // Huge lights may overflow, and what nothing of them gets through must still be black.
-                let sent = arriving.color * self.response::<EFFECTS>(arriving.ray.direction);
+                let sent = arriving.color.held_product(self.response::<EFFECTS>(arriving.ray.direction));
                 let sent = sent.max(Rgb::BLACK).min(Rgb::grey(T::MAX));
                 if sent.max_channel() > T::ZERO {
                     if *rays == 0 {
@@ -133,7 +133,7 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
                     *rays = rays.saturating_sub(1 + passed);
                     *rays_left = rays_left.saturating_sub(1 + passed);
                     if let Some(share) = light {
-                        *gathered += self.throughput * (sent * share);
+                        *gathered += self.throughput.held_product(sent * share);
                     }
                 }
             }

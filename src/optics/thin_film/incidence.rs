@@ -63,7 +63,7 @@ impl<T: Real> Incidence<T> {
         }
         let tau = T::from_f32(core::f32::consts::TAU);
         let per_normal = T::ratio(tau.product(thickness), wavelength.widened());
-        let depth = b * per_normal;
+        let depth = T::held(b.product(per_normal));
         if depth < T::ONE {
             // Taylor polynomials of cosh and sinh, to 2.8e-7 at depth 1.
             let c = |n: f32| T::from_f32(1.0 / n);
@@ -106,15 +106,17 @@ impl<T: Real> Admittances<T> {
     pub(super) fn reflectance(&self, wave: &Wave<T>) -> T {
         let &Wave { cosine, quotient, product } = wave;
         let Complex { re, im } = self.base;
-        let outer = self.outer * (cosine + im * quotient);
+        // In fixed point a thick film along which light goes may leave the range.
+        let times = |a: T, b: T| T::held(a.product(b));
+        let outer = times(self.outer, cosine.plus(times(im, quotient)));
         let base = re * cosine;
         let inside = im * cosine - product;
-        let through = self.outer * re * quotient;
-        let square = |x: T| x * x;
+        let through = times(times(self.outer, re), quotient);
+        let square = |x: T| x.product(x);
         let reflected = square(outer - base) + square(inside + through);
         let whole = square(outer + base) + square(inside - through);
         // The whole is zero only at grazing incidence, where all is reflected.
-        if whole > T::ZERO { (reflected / whole).min(T::ONE) } else { T::ONE }
+        if whole > T::NOTHING { T::ratio(reflected, whole).min(T::ONE) } else { T::ONE }
     }
 }
 

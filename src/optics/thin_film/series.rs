@@ -62,8 +62,8 @@ impl<T: Real> Coefficients<T> {
         let second_sum = Complex::real(b) + g;
         let second = (Complex::real(b) - g) / second_sum;
         // 1 − r₁² and 1 − |r₂|² without cancellation, and from them 1 − |r₁r₂|².
-        let first_passes = four * a * b / (first_sum * first_sum);
-        let second_passes = four * b * g.re / second_sum.norm_squared();
+        let first_passes = T::ratio((four * a).product(b), first_sum.product(first_sum));
+        let second_passes = T::ratio((four * b).product(g.re), second_sum.square());
         let whole = first_passes + first * first * second_passes;
         // Zero only at grazing incidence, where all is reflected.
         let mean = if whole > T::ZERO { first_passes * second_passes / whole } else { T::ZERO };

@@ -9,8 +9,10 @@ use crate::scene::{
 
 /// The largest index of refraction of a dielectric: its square times a cosine is within any range.
 const DENSEST: f32 = 4.0;
-/// The largest part of a complex index of refraction.
-const MOST_CONDUCTING: f32 = 16.0;
+/// The smallest one.
+const THINNEST: f32 = 0.5;
+/// The largest part of a complex index of refraction: twice its square, relative to the thinnest medium, is within any range.
+const MOST_CONDUCTING: f32 = 12.0;
 /// The largest slope of a cone.
 const FLATTEST: f32 = 4.0;
 /// Of a direction, so that what it is multiplied with does not grow by more.
@@ -147,8 +149,7 @@ impl Range {
                 self.film(film)
             }
             Interface::Conductor { index, extinction, film } => {
-                conducting(*index, "interface.index")?;
-                conducting(*extinction, "interface.extinction")?;
+                conducting(*index, *extinction)?;
                 self.film(film)
             }
         }
@@ -230,10 +231,15 @@ fn direction(v: Vec3<f32>, field: &'static str) -> Result<(), Fault> {
 }
 
 fn refraction(index: f32, field: &'static str) -> Result<(), Fault> {
-    check(within(index, 1.0 / DENSEST, DENSEST), field, "an index of refraction from 1/4 to 4")
+    check(within(index, THINNEST, DENSEST), field, "an index of refraction from 1/2 to 4")
 }
 
-fn conducting(Rgb { r, g, b }: Rgb<f32>, field: &'static str) -> Result<(), Fault> {
-    let ok = [r, g, b].into_iter().all(|x| within(x, 0.0, MOST_CONDUCTING));
-    check(ok, field, "a number from 0 to 16")
+fn conducting(index: Rgb<f32>, extinction: Rgb<f32>) -> Result<(), Fault> {
+    let is_held = |c: Rgb<f32>| [c.r, c.g, c.b].into_iter().all(|x| within(x, 0.0, MOST_CONDUCTING));
+    check(is_held(index), "interface.index", "a number from 0 to 12")?;
+    check(is_held(extinction), "interface.extinction", "a number from 0 to 12")?;
+    // What divides by its square.
+    let Rgb { r, g, b } = index.zip(extinction, |n, k| n * n + k * k);
+    let is_large = [r, g, b].into_iter().all(|square| square >= THINNEST * THINNEST);
+    check(is_large, "interface.extinction", "with `interface.index`, a complex number of size 1/2 or more")
 }
