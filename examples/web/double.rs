@@ -2,6 +2,7 @@
 #![cfg_attr(target_arch = "wasm32", no_std)]
 
 mod alone;
+mod conversion;
 mod decode;
 pub mod exports;
 mod memory;
@@ -12,19 +13,7 @@ mod record;
 mod refusal;
 mod trap;
 
-use core::mem::MaybeUninit;
-
-use alone::Alone;
-use whit::{Real, Scene, SceneBuf};
+use conversion::converted;
 
 /// What is computed in.
 type Number = f64;
-
-/// A built-in scene in that number type. The page must hold no frame of the one before.
-#[allow(unsafe_code)] // Static memory with one user: see `memory`.
-fn converted(scene: Scene<'static, f32>) -> Option<Scene<'static, Number>> {
-    static BUFFER: Alone<MaybeUninit<SceneBuf<Number, 128, 8, 4>>> = Alone::new(MaybeUninit::uninit());
-    let copy = SceneBuf::from_scene(&scene, Number::from_f32).ok()?;
-    let buffer: &'static _ = unsafe { BUFFER.get() }.write(copy);
-    Some(buffer.as_scene())
-}

@@ -35,6 +35,7 @@ pub extern "C" fn start(
     width: u32,
     height: u32,
     samples: u32,
+    is_grid: bool,
     depth: u32,
     cutoff: f32,
     termination: u32,
@@ -42,7 +43,7 @@ pub extern "C" fn start(
 ) -> usize {
     let size = Size::new(width, height);
     let fresnel = if is_schlick { Fresnel::Schlick } else { Fresnel::Exact };
-    match page().start(&Wishes { size, samples, depth, cutoff, termination, fresnel }) {
+    match page().start(&Wishes { size, samples, is_grid, depth, cutoff, termination, fresnel }) {
         Ok(()) => 0,
         Err(refusal) => {
             refusal.tell(message());

@@ -4,11 +4,13 @@
 const RAYS = 1000;
 
 export class Job {
-  constructor(renderer, pose, wishes) {
+  /** Of a setting that was measured, there is an `entry`. */
+  constructor(renderer, pose, wishes, entry = null) {
     renderer.start(pose, wishes);
     this.renderer = renderer;
     this.pose = [...pose];
     this.wishes = wishes;
+    this.entry = entry;
     this.pixels = this.left = wishes.width * wishes.height;
     // Every 8th pixel of every 8th row comes first; from then on, the picture covers its size.
     this.coarse = Math.ceil(wishes.width / 8) * Math.ceil(wishes.height / 8);

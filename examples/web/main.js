@@ -3,16 +3,18 @@
 import { Job, difference } from "./job.js";
 import { Orbit } from "./orbit.js";
 import { Reader, Renderer } from "./renderer.js";
+import { Tuning } from "./tuning.js";
 
 /** Milliseconds of work before the browser has its turn. */
 const SLICE = 12;
 /** What a picture is compared with; the samples and the depth are the picture's own if those are more. */
-const REFERENCE = { maths: "f64", samples: 16, depth: 12, cutoff: 0, termination: 0, fresnel: 0 };
+const REFERENCE = { maths: "f64", samples: 16, isGrid: false, depth: 12, cutoff: 0, termination: 0, fresnel: 0 };
 
 const element = Object.fromEntries([...document.querySelectorAll("[id]")].map((e) => [e.id, e]));
 const { canvas } = element;
 const context = canvas.getContext("2d", { alpha: false, willReadFrequently: true });
 const orbit = new Orbit(canvas, () => restart());
+const tuning = new Tuning(element, () => restart());
 
 const renderers = new Map(); // By number type, for the pictures.
 let referee = null; // The renderer of the reference.
@@ -25,6 +27,7 @@ let isScheduled = false;
 let turn = 0; // Counts what was asked for, so that what loads slowly does not undo what came after.
 
 async function begin() {
+  tuning.load();
   const first = await rendererFor("f32");
   element.scene.append(...first.sceneNames().map((name, index) => new Option(name, index)));
   element.scene.disabled = false;
@@ -59,23 +62,27 @@ function chooseScene() {
 function open(next) {
   scene = next;
   reference = null;
+  tuning.open(scene);
   orbit.home = renderers.get("f32").open(scene);
   job = null;
+  element.rmse.value = element.off.value = "–"; // They were of the picture before, which may stay.
   restart();
 }
 
 /** Begins the picture anew with what the controls say; if they say nonsense, what there is goes on. */
 async function restart() {
+  tuning.follow();
   isWaiting = job !== null && !job.isVisible;
   if (isWaiting) return schedule();
   const mine = ++turn;
   canvas.setAttribute("aria-busy", "true");
   try {
     const wishes = readControls();
+    const { entry } = tuning;
     const renderer = await rendererFor(element.maths.value);
     if (mine !== turn) return;
     if (renderer.scene !== scene) renderer.open(scene);
-    job = new Job(renderer, orbit.pose, wishes);
+    job = new Job(renderer, orbit.pose, wishes, entry);
     tell(null);
     showError();
     schedule();
@@ -88,12 +95,14 @@ async function restart() {
 function readControls() {
   const wishes = {};
   for (const id of ["width", "height", "samples", "depth", "cutoff", "termination", "fresnel"]) {
-    wishes[id] = element[id].type === "number" ? element[id].valueAsNumber : Number(element[id].value);
+    // A grid of samples is 2x2.
+    wishes[id] = element[id].type === "number" ? element[id].valueAsNumber : Number.parseInt(element[id].value, 10);
     const isWhole = id === "cutoff" || Number.isInteger(wishes[id]);
     // What is below 0 or not whole cannot be handed over as it is.
     if (isWhole && wishes[id] >= 0) continue;
     throw new Error(`${id}: expected a ${id === "cutoff" ? "" : "whole "}number of at least 0`);
   }
+  wishes.isGrid = element.samples.value.includes("x");
   return wishes;
 }
 
@@ -161,6 +170,7 @@ function fit() {
 
 function showCost() {
   const { rays } = job.renderer;
+  tuning.show(job);
   element.progress.value = 1 - job.left / job.pixels;
   element.time.value = `${job.milliseconds.toFixed(0)} ms`;
   element.rays.value = rays.toLocaleString("en");
@@ -187,7 +197,8 @@ function showError() {
 
 /** The settings of the picture that this one is compared with. */
 function referenceFor(wishes) {
-  const { samples, depth } = wishes;
+  const { samples: count, isGrid, depth } = wishes;
+  const samples = isGrid ? count * count : count;
   return { ...wishes, ...REFERENCE, samples: Math.max(REFERENCE.samples, samples), depth: Math.max(REFERENCE.depth, depth) };
 }
 

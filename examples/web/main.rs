@@ -18,6 +18,6 @@ use whit::Scene;
 type Number = f32;
 
 /// A scene in that number type. The page must hold no frame of the scene before.
-fn converted(scene: Scene<'static, f32>) -> Option<Scene<'static, Number>> {
-    Some(scene)
+fn converted(scene: &Scene<'static, f32>) -> Option<Scene<'static, Number>> {
+    Some(*scene)
 }

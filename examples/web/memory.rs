@@ -15,7 +15,10 @@ use crate::page::Page;
 use crate::picture::Picture;
 use crate::record::{LIGHTS, OBJECTS, RECORDS, Record};
 
-pub type Buffer = SceneBuf<Number, OBJECTS, LIGHTS>;
+/// The most media that bend light in a scene. A file has none.
+const PROFILES: usize = 4;
+
+pub type Buffer = SceneBuf<Number, OBJECTS, LIGHTS, PROFILES>;
 
 pub fn page() -> &'static mut Page {
     static PAGE: Alone<Page> = Alone::new(Page::EMPTY);

@@ -11,7 +11,19 @@ use crate::record::Record;
 use crate::refusal::Refusal;
 use crate::{Number, converted, decode};
 
-const ALL: u64 = Effects::ALL.bits();
+/// All but those that no scene in the number type can have, so that they take no room in the module.
+const EFFECTS: u64 = if Number::IS_FIXED { Effects::ALL.without(BENT_LIGHT).bits() } else { Effects::ALL.bits() };
+const BENT_LIGHT: Effects = Effects::HEIGHT_PROFILE
+    .with(Effects::RADIUS_PROFILE)
+    .with(Effects::POLYNOMIAL_LAW)
+    .with(Effects::EXPONENTIAL_LAW)
+    .with(Effects::FISH_EYE_LAW)
+    .with(Effects::TABLE_LAW)
+    .with(Effects::LAYERS)
+    .with(Effects::FIXED_STEPS)
+    .with(Effects::CONTROLLED_STEPS)
+    .with(Effects::BLACK_HOLE)
+    .with(Effects::BENT_SHADOWS);
 /// The most bounces are 32; a scene with dispersion needs two entries more.
 const STACK: usize = 34;
 const MEDIA: usize = 8;
@@ -22,7 +34,7 @@ type Pose = [f32; 10];
 pub struct Page {
     /// As it was opened, with its own camera.
     scene: Option<Scene<'static, Number>>,
-    frame: Option<Frame<'static, Number, ALL, STACK, Rays, MEDIA>>,
+    frame: Option<Frame<'static, Number, EFFECTS, STACK, Rays, MEDIA>>,
     /// Where the frame's scene is kept.
     in_second: bool,
     pub pose: Pose,
@@ -31,7 +43,9 @@ pub struct Page {
 /// What is asked of a picture.
 pub struct Wishes {
     pub size: Size,
+    /// A pixel's, or those along a side of a grid.
     pub samples: u32,
+    pub is_grid: bool,
     pub depth: u32,
     pub cutoff: f32,
     /// 0 for the background, 1 for black, else magenta.
@@ -60,7 +74,7 @@ impl Page {
     pub fn open_scene(&mut self, index: usize) {
         let Some((_, scene)) = const { &scenes::ALL }.get(index) else { return };
         self.close();
-        if let Some(scene) = converted(*scene) {
+        if let Some(scene) = converted(scene) {
             self.open(scene);
         }
     }
@@ -91,6 +105,10 @@ impl Page {
         }
         let camera = posed(&scene.camera, &self.pose);
         let scene = memory::keep(Scene { camera, fresnel: wishes.fresnel, ..scene }, !self.in_second);
+        if Number::IS_FIXED {
+            // Names what bends light in the scene, where the tracer would name the effects that it lacks.
+            scene.validate().map_err(Refusal::Scene)?;
+        }
         let tracer = Tracer::try_new(scene).map_err(Refusal::Tracer)?;
         let frame = Frame::observed(&tracer, wishes.settings(), Rays(0)).map_err(Refusal::Settings)?;
         self.frame = Some(frame);
@@ -119,11 +137,16 @@ impl Wishes {
         let termination = match self.termination {
             0 => Termination::Background,
             1 => Termination::Black,
-            _ => Termination::Color(Rgb::new(1.0, 0.0, 1.0)),
+            _ => Termination::Color(Rgb::new(Number::ONE, Number::ZERO, Number::ONE)),
+        };
+        let sampling = match self.samples {
+            1 => Sampling::Grid(1),
+            side if self.is_grid => Sampling::Grid(side.min(255) as u8),
+            count => Sampling::Sequence(count),
         };
         Settings {
             order: Order::CoarseToFine,
-            sampling: if self.samples == 1 { Sampling::Grid(1) } else { Sampling::Sequence(self.samples) },
+            sampling,
             budget: Budget {
                 cutoff: Number::from_f32(self.cutoff),
                 termination,

@@ -9,6 +9,7 @@ use crate::picture::CAPACITY;
 
 pub enum Refusal {
     NoScene,
+    Scene(SceneError),
     TooManyPixels,
     Tracer(TracerError),
     Settings(SettingsError),
@@ -18,9 +19,9 @@ impl Refusal {
     /// Says it in the words of the library.
     pub fn tell(&self, message: &mut Message) {
         match self {
-            Self::NoScene => message.set("there is no scene"),
+            Self::NoScene => message.set("there is no scene, or no room for it"),
             Self::TooManyPixels => message.set("size: there is room for ").number(CAPACITY).text(" pixels"),
-            Self::Tracer(TracerError::Scene(error)) => scene(error, message),
+            Self::Scene(error) | Self::Tracer(TracerError::Scene(error)) => scene(error, message),
             // The module has every effect and remembers media.
             Self::Tracer(_) => message.set("there is no code for the scene"),
             Self::Settings(error) => settings(error, message),
@@ -46,8 +47,10 @@ fn settings<'m>(error: &SettingsError, message: &'m mut Message) -> &'m mut Mess
         }
         SettingsError::NotAnAmount(field) => message.set(field).text(": expected a finite number of at least 0"),
         SettingsError::NoSamples => message.set("samples: expected at least 1 a pixel"),
-        SettingsError::Size { .. } | SettingsError::Rows { .. } => {
-            message.set("size: expected at least 1 pixel a side")
+        SettingsError::Size { largest, .. } => {
+            message.set("size: expected 1 to ").number(largest as usize).text(" pixels a side")
         }
+        // It renders all of them.
+        SettingsError::Rows { .. } => message.set("there are no such rows"),
     }
 }

@@ -49,7 +49,7 @@ export class Reader {
 
 /** Renders one picture at a time. */
 export class Renderer {
-  /** For "f32" or "f64". */
+  /** For a number type: "f32", or what is after `web_` in the name of a module. */
   static async load(maths) {
     const module = await exportsOf(maths === "f32" ? "web" : `web_${maths}`);
     return Object.assign(new Renderer(), { module, scene: null, size: null });
@@ -76,9 +76,9 @@ export class Renderer {
   }
 
   /** Begins a picture. After an error the one before goes on. */
-  start(pose, { width, height, samples, depth, cutoff, termination, fresnel }) {
+  start(pose, { width, height, samples, isGrid, depth, cutoff, termination, fresnel }) {
     this.#pose().set(pose);
-    const length = this.module.start(width, height, samples, depth, cutoff, termination, fresnel);
+    const length = this.module.start(width, height, samples, isGrid, depth, cutoff, termination, fresnel);
     const problem = textOf(this.module, length);
     if (problem) throw new Error(problem);
     this.size = { width, height };

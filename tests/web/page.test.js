@@ -83,7 +83,7 @@ test("settings do what they do on the host", async () => {
 test("each control changes the picture", async () => {
   await withPage(async (page) => {
     const changes = {
-      depth: 1, cutoff: 0.3, termination: 2, fresnel: 1, samples: 4, maths: "f64", scene: 1, width: 97, height: 71,
+      depth: 1, cutoff: 0.3, termination: 2, fresnel: 1, samples: "2x2", maths: "f64", scene: 1, width: 97, height: 71,
     };
     for (const [id, value] of Object.entries(changes)) {
       // Where every control has something to do.
@@ -228,7 +228,7 @@ test("settings that cannot be are refused, and the old picture stays", async () 
   await withPage(async (page) => {
     const old = await picture(page);
     const wrong = [
-      ["width", 0, "size: expected at least 1 pixel a side"],
+      ["width", 0, "size: expected 1 to 1048576 pixels a side"],
       ["height", 19200, "size: there is room for 307200 pixels"],
       ["width", "", "width: expected a whole number of at least 0"],
       ["depth", 40, "depth 40: the tracer's stack has room for 34"],
@@ -244,6 +244,46 @@ test("settings that cannot be are refused, and the old picture stays", async () 
       await set(page, { [id]: usual });
       await page.waitForSelector("#message", { state: "hidden" });
     }
+  });
+});
+
+test("a scene that fixed point refuses is told in the library's words, and all goes on", async () => {
+  await withPage(async (page) => {
+    const told = (text) => page.waitForFunction((text) => message.textContent === text, text);
+    const choose = (label) => page.locator("#scene").selectOption({ label });
+    await set(page, { maths: "q20" });
+    const old = await picture(page);
+    const refused = {
+      window: "object 2: max: expected a number of at most 64",
+      mirage: "scene: profiles: expected nothing that bends light, in fixed point",
+      hole: "scene: black_hole: expected nothing that bends light, in fixed point",
+    };
+    for (const [name, text] of Object.entries(refused)) {
+      await choose(name);
+      await told(text);
+      assert.ok((await picture(page)).equals(old), `${name}: the picture changed`);
+      await page.locator("canvas").press("ArrowLeft");
+      await set(page, { depth: 3 });
+      await told(text);
+      assert.ok((await picture(page)).equals(old));
+      await set(page, { depth: SMALL.depth, maths: "f32" });
+      await page.waitForSelector("#message", { state: "hidden" });
+      await page.locator("#home").click();
+      await rendered(page);
+      assertSame(await pixels(page), render(name, "--size", "96x72", "--samples", "1", "--depth", "8"), name);
+      await choose("showcase");
+      await set(page, { maths: "q20" });
+      assert.ok((await picture(page)).equals(old), `${name}: it cannot be taken back`);
+    }
+    await set(page, { width: 2000, height: 10 });
+    await told("size: expected 1 to 1023 pixels a side");
+    await set(page, { ...SMALL, scene: 4 }); // A scene with a lens, and a light that is a square.
+    await rendered(page);
+    const now = await picture(page);
+    await choose("hole"); // Fixed point refuses it, and then the scene before is asked for again.
+    await told(refused.hole);
+    await choose("card");
+    assert.ok((await picture(page)).equals(now));
   });
 });
 

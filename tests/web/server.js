@@ -11,10 +11,15 @@ export const root = fileURLToPath(new URL("../..", import.meta.url));
 const target = process.env.CARGO_TARGET_DIR || join(root, "target");
 export const modules = join(target, "wasm32-unknown-unknown/small/examples");
 
+/** Where the page looks for settings that were measured, and the file that it gets here unless a test has another. */
+export const FRONTIER = "/examples/web/frontier.json";
+export const sample = join(root, "tests/web/frontier.json");
+
 const types = {
   ".html": "text/html; charset=utf-8",
   ".css": "text/css",
   ".js": "text/javascript",
+  ".json": "application/json",
   ".wasm": "application/wasm",
 };
 
@@ -22,7 +27,7 @@ const types = {
 export async function serve(replaced = {}) {
   const server = createServer(async (request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url, "http://localhost").pathname));
-    const file = replaced[path] ?? fileFor(path.endsWith("/") ? `${path}index.html` : path);
+    const file = { [FRONTIER]: sample, ...replaced }[path] ?? fileFor(path.endsWith("/") ? `${path}index.html` : path);
     try {
       const body = await readFile(file);
       response.writeHead(200, { "content-type": types[extname(file)] ?? "application/octet-stream" });

@@ -22,7 +22,7 @@ function names(module) {
 function nanoseconds(module, scene) {
   module.open_scene(names(module).indexOf(scene));
   const begin = process.cpuUsage().user;
-  module.start(160, 120, 4, 8, 0, 0, 0);
+  module.start(160, 120, 4, false, 8, 0, 0, 0);
   while (module.step(100_000) > 0);
   return ((process.cpuUsage().user - begin) * 1000) / module.rays();
 }

@@ -1,0 +1,19 @@
+//! The renderer of the web page, in `Fast`: `f32` with approximate functions, to see what they cost in accuracy.
+#![cfg_attr(target_arch = "wasm32", no_std)]
+
+mod alone;
+mod conversion;
+mod decode;
+pub mod exports;
+mod memory;
+mod message;
+mod page;
+mod picture;
+mod record;
+mod refusal;
+mod trap;
+
+use conversion::converted;
+
+/// What is computed in.
+type Number = whit::Fast;
