@@ -46,9 +46,8 @@ struct Passage<T: Real> {
 }
 
 impl<T: Real> Passage<T> {
-    /// `None` for a ray that is so far from the axis, between the ends, that the numbers for it may not be in range.
     #[inline]
-    fn new(cone: &Cone<T>, axis: &Axis<T>, ends: &Span<T>, ray: &Ray<T>) -> Option<Self> {
+    fn new(cone: &Cone<T>, axis: &Axis<T>, ends: &Span<T>, ray: &Ray<T>) -> Self {
         let (rise, across_rate) = axis.split(ray.direction);
         let square = across_rate.square();
         let middle = (cone.base + (cone.apex - cone.base) * T::HALF - ray.origin).dot(ray.direction);
@@ -56,19 +55,16 @@ impl<T: Real> Passage<T> {
         let shift = if square > T::NOTHING { -T::ratio(across.products(across_rate), square) } else { T::ZERO };
         let start = (middle + shift).max(ends.enter.0).min(ends.leave.0);
         let (height, across) = axis.split(ray.at(start) - cone.base);
-        if T::IS_FIXED && across.largest() > T::OUTERMOST * T::HALF {
-            return None;
-        }
         let radius = cone.base_radius.abs() + axis.slope * height;
         let radius_rate = axis.slope * rise;
-        Some(Self {
+        Self {
             start,
             height,
             rise,
             a: square - radius_rate.product(radius_rate),
             b: across.products(across_rate) - radius.product(radius_rate),
             c: across.square() - radius.product(radius),
-        })
+        }
     }
 }
 
@@ -87,7 +83,7 @@ pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside
         // What is far away is not even looked at: it may be beyond all numbers.
         return None;
     }
-    let passage = Passage::new(cone, &axis, &ends, ray)?;
+    let passage = Passage::new(cone, &axis, &ends, ray);
     let solid = cone.base_radius > T::ZERO || cone.apex_radius > T::ZERO;
     let Passage { start, height, rise, a, b, c } = passage;
     if cone.capped {

@@ -11,7 +11,8 @@ use crate::scene::Sphere;
 /// The first visible contact with a sphere.
 ///
 /// The side that the origin is on is known exactly, and with it how many contacts there are. The distance between the centre
-/// and the ray is off by a rounding, and the direction's length by two.
+/// and the ray is off by a rounding. The direction's length is off by two, which along a way of a thousand would be a lot; so
+/// the contacts are given in that length, as those with other shapes are.
 #[inline]
 pub(super) fn sphere<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let from_center = ray.origin - sphere.center;
@@ -27,6 +28,9 @@ pub(super) fn sphere<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outsid
         return None;
     }
     let half = if discriminant > T::NOTHING { T::root(discriminant) } else { T::ZERO };
+    let excess = ray.direction.square() - T::ONE.widened();
+    let along = along - T::narrow(along.times(excess));
+    let half = half - T::narrow(half.times(excess)) * T::HALF;
     let solid = sphere.radius > T::ZERO;
     // However they are rounded, they lie ahead.
     let far = Contact::new((along + half).max(T::SMALLEST), !solid, 0);

@@ -69,6 +69,7 @@ macro_rules! as_f32 {
         const HALF: Self = Self(0.5);
         const ONE: Self = Self(1.0);
         const TWO: Self = Self(2.0);
+        const DISPLAY_STEP: Self = Self(1.0 / 255.0);
         const MAX: Self = Self(f32::MAX);
         const FARTHEST: Self = Self(<f32 as Real>::FARTHEST);
         const SMALLEST: Self = Self(<f32 as Real>::SMALLEST);

@@ -292,6 +292,7 @@ impl<Frac: LeEqU32 + 'static> Real for Q<Frac> {
     const HALF: Self = Self::from_bits(1 << (Self::F - 1));
     const ONE: Self = Self::from_bits(1 << Self::F);
     const TWO: Self = Self::from_bits(2 << Self::F);
+    const DISPLAY_STEP: Self = Self::new(1.0 / 255.0);
     const MAX: Self = Self::from_bits(LARGEST);
     const FARTHEST: Self = Self::from_bits(LARGEST);
     const OUTERMOST: Self = Self::from_bits(1 << 29);

@@ -11,27 +11,40 @@ pub struct Range {
     pub coordinate: f32,
     /// The largest intensity, colour or share of light.
     pub amount: f32,
+    /// The largest thickness of a film in nanometres.
+    pub thickness: f32,
     /// What is expected of a coordinate, in words.
     pub coordinate_text: &'static str,
     /// What is expected of an amount, in words.
     pub amount_text: &'static str,
+    /// What is expected of the thickness of a film, in words.
+    pub thickness_text: &'static str,
 }
 
 impl Range {
     /// The range of numbers with so many bits of fraction, from 12 to 20.
     #[cfg(feature = "fixed")]
     pub(super) const fn of_fraction(bits: u32) -> Self {
-        let (coordinate, amount, coordinate_text, amount_text) = match bits {
-            12 => (16_384.0, 256.0, "a number of at most 16384", "a number from 0 to 256"),
-            13 => (8192.0, 128.0, "a number of at most 8192", "a number from 0 to 128"),
-            14 => (4096.0, 128.0, "a number of at most 4096", "a number from 0 to 128"),
-            15 => (2048.0, 64.0, "a number of at most 2048", "a number from 0 to 64"),
-            16 => (1024.0, 64.0, "a number of at most 1024", "a number from 0 to 64"),
-            17 => (512.0, 32.0, "a number of at most 512", "a number from 0 to 32"),
-            18 => (256.0, 32.0, "a number of at most 256", "a number from 0 to 32"),
-            19 => (128.0, 16.0, "a number of at most 128", "a number from 0 to 16"),
-            _ => (64.0, 16.0, "a number of at most 64", "a number from 0 to 16"),
+        let (coordinate_text, amount_text, thickness_text) = match bits {
+            12 => ("a number of at most 16384", "a number from 0 to 256", "a thickness of at most 245760 nm"),
+            13 => ("a number of at most 8192", "a number from 0 to 128", "a thickness of at most 122880 nm"),
+            14 => ("a number of at most 4096", "a number from 0 to 128", "a thickness of at most 61440 nm"),
+            15 => ("a number of at most 2048", "a number from 0 to 64", "a thickness of at most 30720 nm"),
+            16 => ("a number of at most 1024", "a number from 0 to 64", "a thickness of at most 15360 nm"),
+            17 => ("a number of at most 512", "a number from 0 to 32", "a thickness of at most 7680 nm"),
+            18 => ("a number of at most 256", "a number from 0 to 32", "a thickness of at most 3840 nm"),
+            19 => ("a number of at most 128", "a number from 0 to 16", "a thickness of at most 1920 nm"),
+            _ => ("a number of at most 64", "a number from 0 to 16", "a thickness of at most 960 nm"),
         };
-        Self { coordinate, amount, coordinate_text, amount_text }
+        let coordinate = (1_u32 << (26 - bits)) as f32;
+        Self {
+            coordinate,
+            // The largest number is 2^(30 − bits): an amount, and twice one.
+            amount: (1_u32 << ((28 - bits) / 2)) as f32,
+            thickness: 15.0 * coordinate,
+            coordinate_text,
+            amount_text,
+            thickness_text,
+        }
     }
 }

@@ -38,6 +38,8 @@ pub trait Real:
     const ONE: Self;
     /// 2
     const TWO: Self;
+    /// 1/255, the step of a display of 8 bits.
+    const DISPLAY_STEP: Self;
     /// The largest finite value.
     const MAX: Self;
     /// The farthest that light is followed, 2⁶⁰ in floating point: beyond any scene, and squares of it do not overflow.
@@ -154,6 +156,7 @@ impl Real for f32 {
     const HALF: Self = 0.5;
     const ONE: Self = 1.0;
     const TWO: Self = 2.0;
+    const DISPLAY_STEP: Self = 1.0 / 255.0;
     const MAX: Self = f32::MAX;
     const FARTHEST: Self = 1_152_921_504_606_846_976.0;
     const SMALLEST: Self = f32::MIN_POSITIVE;
@@ -209,6 +212,7 @@ impl Real for f64 {
     const HALF: Self = 0.5;
     const ONE: Self = 1.0;
     const TWO: Self = 2.0;
+    const DISPLAY_STEP: Self = 1.0 / 255.0;
     const MAX: Self = f64::MAX;
     const FARTHEST: Self = 1_152_921_504_606_846_976.0;
     const SMALLEST: Self = f64::MIN_POSITIVE;

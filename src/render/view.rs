@@ -24,7 +24,7 @@ pub(crate) struct View<T: Real> {
 impl<T: Real> View<T> {
     pub(crate) fn new(camera: &Camera<T>, size: Size) -> Self {
         let forward = (camera.target - camera.eye).normalized();
-        let right = forward.cross(camera.up).normalized();
+        let right = T::unit_of_sums(forward.cross_products(camera.up)).unwrap_or(Vec3::ZERO);
         let spanned = match camera.extent {
             Extent::PixelEdges => size.height,
             Extent::PixelCentres => (size.height.saturating_sub(1)).max(1),

@@ -15,7 +15,7 @@ use super::solids::{depth, is_near_rim};
 use super::{ALL, cases, converted, to_f32};
 
 /// The size of the smallest shapes, in spacings of the numbers.
-const SMALLEST: f64 = 128.0;
+const SMALLEST: f64 = 32.0;
 /// Nearer to an edge of a solid than so many spacings, a ray may be taken for one on the other side of it.
 const NEAR_EDGE: f64 = 8.0;
 
@@ -120,8 +120,7 @@ fn faults<T: Real>(form: Form, make: Make, random: &mut Random) -> (Vec<String>,
     let room = Room::of::<T>();
     let (shapes, target) = make(random, room);
     let objects: Vec<_> = shapes.iter().map(|shape| Object::new(*shape, Material::matte(Rgb::WHITE))).collect();
-    let camera = Camera::look_at(Vec3::new(0.0, 0.0, 1.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 40.0);
-    let scene = converted::<T>(&Scene::new(camera, Background::Solid(Rgb::BLACK)).with_objects(&objects));
+    let scene = converted::<T>(&scene_of(&objects));
     let scene = scene.as_scene();
     let tracer = Tracer::<T, ALL, 0>::try_new(&scene).unwrap();
     // As they are when the numbers are rounded.
@@ -155,6 +154,11 @@ fn faults<T: Real>(form: Form, make: Make, random: &mut Random) -> (Vec<String>,
         }
     }
     (faults, count)
+}
+
+fn scene_of<'a>(objects: &'a [Object<'a, f32>]) -> Scene<'a, f32> {
+    let camera = Camera::look_at(Vec3::new(0.0, 0.0, 1.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 40.0);
+    Scene::new(camera, Background::Solid(Rgb::BLACK)).with_objects(objects)
 }
 
 fn assert_never_met_again(case: u64, form: Form, make: Make) {
@@ -194,6 +198,34 @@ fn boxes() {
         target[face / 2] = low[face / 2] + sides[face / 2] * (face % 2) as f64;
         (vec![Shape::axis_box(rounded(low), rounded(plus(low, sides)))], target)
     });
+}
+
+/// What enters a box next to an edge, and goes out of the other face there, does get out.
+#[test]
+fn edges_of_boxes() {
+    edges::<Q16>();
+    edges::<Q20>();
+}
+
+fn edges<T: Real>() {
+    let (low, high) = (Vec3::new(-1.0, -2.0, 0.25), Vec3::new(1.5, 0.5, 3.0));
+    let objects = [Object::new(Shape::axis_box(low, high), Material::matte(Rgb::WHITE))];
+    let scene = converted::<T>(&scene_of(&objects));
+    let scene = scene.as_scene();
+    let tracer = Tracer::<T, ALL, 0>::try_new(&scene).unwrap();
+    let c = T::from_f32;
+    for steps in 0..4 {
+        let within = (0..steps).fold(c(high.x), |x, _| x - T::SMALLEST);
+        // Into the upper face, straight down.
+        let first = Ray { origin: Vec3::new(within, c(3.0), c(1.0)), direction: Vec3::new(T::ZERO, -T::ONE, T::ZERO) };
+        let hit = tracer.intersect(&first).unwrap();
+        assert!(hit.normal.y == T::ONE, "{hit:?}");
+        for aside in [0.1, 0.6, 0.999] {
+            let direction = Vec3::new(c(aside), -c((1.0 - aside * aside).sqrt()), T::ZERO).normalized();
+            let again = tracer.intersect(&hit.leave(direction));
+            assert!(again.is_some_and(|again| !again.from_outside), "{steps} {aside}: {hit:?} {again:?}");
+        }
+    }
 }
 
 #[test]

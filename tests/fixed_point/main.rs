@@ -5,21 +5,27 @@
 #![cfg(feature = "fixed")]
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing, clippy::panic)]
 
+mod accuracy;
 mod anything;
 #[path = "../hard_cases_shapes/exact.rs"]
 #[allow(dead_code)]
 mod exact;
+mod frames;
+mod furnace;
 mod generator;
 mod leaving;
 #[path = "../hard_cases_shapes/meshes.rs"]
 #[allow(dead_code)]
 mod meshes;
+mod optics;
 #[path = "../hard_cases_shapes/random.rs"]
 #[allow(dead_code)]
 mod random;
+mod refusals;
 #[path = "../hard_cases_shapes/solids.rs"]
 #[allow(dead_code)]
 mod solids;
+mod watertight;
 
 use whit::{Effects, Real, Scene, SceneBuf};
 
@@ -32,7 +38,7 @@ fn cases(count: u64) -> u64 {
 }
 
 /// A scene in another number type.
-type Buffer<T> = SceneBuf<T, 128, 8>;
+type Buffer<T> = SceneBuf<T, 128, 8, 4>;
 
 fn converted<T: Real>(scene: &Scene<'_, f32>) -> Box<Buffer<T>> {
     Box::new(SceneBuf::from_scene(scene, T::from_f32).unwrap())

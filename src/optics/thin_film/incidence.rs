@@ -84,7 +84,9 @@ impl<T: Real> Stack<T> {
         let &Incidence { outer, film, outer_normal, .. } = incidence;
         let re = normal_squared(outer, base.re, outer_normal) - base.im * base.im;
         let im = T::TWO * (base.re * base.im);
-        let base_normal = Complex::new(re, im).sqrt();
+        // Of equal media it needs no square, which would take digits along the film.
+        let is_same = T::IS_FIXED && base == Complex::real(outer);
+        let base_normal = if is_same { Complex::real(outer_normal) } else { Complex::new(re, im).sqrt() };
         let ratio = film / outer;
         let film_squared = film * film;
         Self {

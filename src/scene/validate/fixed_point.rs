@@ -33,6 +33,12 @@ impl Range {
         points.iter().try_for_each(|point| self.point(*point, field))
     }
 
+    /// A direction that nothing is multiplied with until its length is 1.
+    fn course(&self, v: Vec3<f32>, field: &'static str) -> Result<(), Fault> {
+        self.point(v, field)?;
+        check(dot(v, v) >= SHORTEST * SHORTEST, field, "a direction of length 1/64 or more")
+    }
+
     fn amount(&self, x: f32, field: &'static str) -> Result<(), Fault> {
         check(within(x, 0.0, self.amount), field, self.amount_text)
     }
@@ -44,7 +50,7 @@ impl Range {
     pub(super) fn camera(&self, camera: &Camera<f32>) -> Result<(), Fault> {
         self.point(camera.eye, "eye")?;
         self.point(camera.target, "target")?;
-        direction(camera.up, "up")?;
+        self.course(camera.up, "up")?;
         check(within(camera.half_height, 1e-3, 8.0), "half_height", "a tangent from 1e-3 to 8")?;
         let Some(lens) = &camera.lens else { return Ok(()) };
         let (Aperture::Disc { radius: size } | Aperture::Square { side: size }) = lens.aperture;
@@ -94,14 +100,15 @@ impl Range {
                 direction(a.normal, "normal")?;
                 self.length(a.outer, "outer")
             }
-            Shape::Box(b) => self.points(&[b.min, b.max], "max"),
+            Shape::Box(b) => self.point(b.min, "min").and(self.point(b.max, "max")),
             Shape::Triangle(t) => self.points(&t.vertices, "vertices"),
             Shape::SmoothTriangle(t) => {
                 self.points(&t.vertices, "vertices")?;
-                t.normals.iter().try_for_each(|normal| direction(*normal, "normals"))
+                t.normals.iter().try_for_each(|normal| self.course(*normal, "normals"))
             }
             Shape::Cone(c) => {
-                self.points(&[c.base, c.apex], "apex")?;
+                self.point(c.base, "base")?;
+                self.point(c.apex, "apex")?;
                 self.length(c.base_radius, "base_radius")?;
                 self.length(c.apex_radius, "apex_radius")?;
                 let (axis, taper) = (minus(c.apex, c.base), c.apex_radius - c.base_radius);
@@ -142,10 +149,10 @@ impl Range {
             Interface::Constant { reflected, transmitted, medium } => {
                 let sum = reflected.zip(*transmitted, |r, t| r + t).max_channel();
                 check(sum <= 1.0, "interface.transmitted", "at most what is not reflected")?;
-                self.medium(medium, "interface.medium.index")
+                self.medium(medium, ["interface.medium.index", "interface.medium.attenuation"])
             }
             Interface::Dielectric { medium, film } => {
-                self.medium(medium, "interface.medium.index")?;
+                self.medium(medium, ["interface.medium.index", "interface.medium.attenuation"])?;
                 self.film(film)
             }
             Interface::Conductor { index, extinction, film } => {
@@ -155,22 +162,22 @@ impl Range {
         }
     }
 
-    pub(super) fn medium(&self, medium: &Medium<f32>, field: &'static str) -> Result<(), Fault> {
+    /// The fields are those of its index and its attenuation.
+    pub(super) fn medium(&self, medium: &Medium<f32>, [field, other]: [&'static str; 2]) -> Result<(), Fault> {
         match medium.index {
             Index::Constant(n) => refraction(n, field)?,
             Index::Dispersive(n) => [n.r, n.g, n.b].into_iter().try_for_each(|n| refraction(n, field))?,
             Index::Profile(_) => return Err((field, "no profile in fixed point")),
         }
         let Some(Rgb { r, g, b }) = medium.attenuation else { return Ok(()) };
-        [r, g, b].into_iter().try_for_each(|c| self.length(c, "medium.attenuation"))
+        [r, g, b].into_iter().try_for_each(|c| self.length(c, other))
     }
 
     fn film(&self, film: &Option<Film<f32>>) -> Result<(), Fault> {
         let Some(film) = film else { return Ok(()) };
         refraction(film.index, "interface.film.index")?;
         let field = "interface.film.thickness";
-        // Sixteen times the largest coordinate is the largest number.
-        let nanometres = |x: f32| self.length(x / 16.0, field);
+        let nanometres = |x: f32| check(x <= self.thickness, field, self.thickness_text);
         match film.thickness {
             Thickness::Uniform(thickness) => nanometres(thickness),
             Thickness::Gradient { from, to, origin, axis } => {
@@ -195,13 +202,15 @@ impl Range {
         self.color(light.color, "color")?;
         match light.emitter {
             Emitter::Point { position } => self.point(position, "position")?,
-            Emitter::Directional { towards } => direction(towards, "towards")?,
+            Emitter::Directional { towards } => self.course(towards, "towards")?,
             Emitter::Sphere { center, radius } => {
                 self.point(center, "center")?;
                 self.length(radius, "radius")?;
             }
             Emitter::Parallelogram { corner, edge_u, edge_v } => {
-                self.points(&[corner, edge_u, edge_v], "corner")?;
+                self.point(corner, "corner")?;
+                self.point(edge_u, "edge_u")?;
+                self.point(edge_v, "edge_v")?;
             }
         }
         let Some(falloff) = &light.falloff else { return Ok(()) };

@@ -166,7 +166,7 @@ impl<T: Real> Scene<'_, T> {
         if let Offset::Fixed(distance) = self.offset {
             range.length(distance.to_f32(), "offset").map_err(at(Place::Scene))?;
         }
-        range.medium(&self.medium.map(T::to_f32), "medium.index").map_err(at(Place::Scene))?;
+        range.medium(&self.medium.map(T::to_f32), ["medium.index", "medium.attenuation"]).map_err(at(Place::Scene))?;
         for (i, object) in self.objects.iter().enumerate() {
             let mut index = 0;
             while let Some(part) = object.shape.part(index, T::to_f32) {

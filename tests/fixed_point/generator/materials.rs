@@ -101,7 +101,7 @@ impl Source {
         if self.once_in(2) {
             return None;
         }
-        let nanometres = |source: &mut Self| source.number(0.0, 16.0 * source.limit, &[0.0, 100.0, 380.0, 900.0]);
+        let nanometres = |source: &mut Self| source.number(0.0, 15.0 * source.limit, &[0.0, 100.0, 380.0, 900.0]);
         let thickness = match self.below(4) {
             0 | 1 => Thickness::Uniform(nanometres(self)),
             2 => Thickness::Gradient {

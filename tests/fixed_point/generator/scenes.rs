@@ -39,7 +39,7 @@ impl Source {
         Camera {
             eye,
             target: if target == eye { eye.map(|x| if x > 0.0 { x - 0.5 } else { x + 0.5 }) } else { target },
-            up: self.direction(),
+            up: self.course(),
             half_height: self.number(1e-3, 8.0, &[0.3, 0.4, 0.6, 1.0]),
             extent: self.pick(&[Extent::PixelEdges, Extent::PixelCentres]),
             lens,
@@ -58,7 +58,7 @@ impl Source {
     fn light(&mut self) -> Light<f32> {
         let emitter = match self.below(5) {
             0 | 1 => Emitter::Point { position: self.point() },
-            2 => Emitter::Directional { towards: self.direction() },
+            2 => Emitter::Directional { towards: self.course() },
             3 => Emitter::Sphere { center: self.point(), radius: self.length() },
             _ => Emitter::Parallelogram { corner: self.point(), edge_u: self.point(), edge_v: self.point() },
         };

@@ -39,7 +39,7 @@ impl Source {
                 Shape::triangle(a, b, c)
             }
             8 => {
-                let normals = [self.direction(), self.direction(), self.direction()];
+                let normals = [self.course(), self.course(), self.course()];
                 Shape::SmoothTriangle(SmoothTriangle { vertices: self.corners(), normals })
             }
             _ => self.cone(),

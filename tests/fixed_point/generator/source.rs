@@ -132,7 +132,13 @@ impl Source {
         v.normalized()
     }
 
-    /// A direction of any length that is accepted.
+    /// A direction of any length that is accepted where it is normalised first.
+    pub fn course(&mut self) -> Vec3<f32> {
+        let length = self.number(0.016, self.limit, &[1.0, 2.0, 30.0]);
+        self.unit_vector() * length
+    }
+
+    /// A direction of any length that is accepted of planes.
     pub fn direction(&mut self) -> Vec3<f32> {
         let length = self.number(0.016, 1.4999, &[1.0]);
         self.unit_vector() * length
