@@ -145,7 +145,7 @@ fn settings_are_read_as_they_are_written() {
         assert_eq!(setting.to_string().parse(), Ok(setting), "{setting}");
         assert_eq!(setting.other_than(&Setting::DEFAULT).parse::<Setting>().unwrap_or(Setting::DEFAULT), setting);
     }
-    assert_eq!(Setting::DEFAULT.to_string(), "f32 exact depth=5 cutoff=0 termination=background samples=1");
+    assert_eq!(Setting::DEFAULT.to_string(), "f32 exact depth=8 cutoff=1/255 termination=background samples=1");
     assert!("f32 depth=x".parse::<Setting>().unwrap_err().contains('x'));
     assert!("f16".parse::<Setting>().unwrap_err().contains("f32"));
 }

@@ -95,19 +95,19 @@ fn buffers_hold_copies_in_any_number_type() {
     let same = SceneBuf::<f32, 64, 2>::from_scene(&scenes::CARD, |x| x).unwrap();
     let wide = SceneBuf::<f64, 64, 2>::from_scene(&scenes::CARD, f64::from).unwrap();
     let mut target = LinearRgb::new(Size::new(40, 40), &mut pixels).unwrap();
-    Frame::new(&whit::tracer!(scenes::CARD), Settings::new(40, 40)).unwrap().render(&mut target).unwrap();
+    Frame::new(&whit::tracer!(scenes::CARD), Settings::new(40, 40).with_depth(5)).unwrap().render(&mut target).unwrap();
     pictures.push(pixels.clone());
     let tracer = Tracer::<f32, { Effects::ALL.bits() }, 5>::try_new(&same.as_scene()).unwrap().scene().objects.len();
     assert_eq!(tracer, 50);
     let scene = same.as_scene();
     let mut target = LinearRgb::new(Size::new(40, 40), &mut pixels).unwrap();
     let tracer = Tracer::<f32, { Effects::ALL.bits() }, 5>::try_new(&scene).unwrap();
-    Frame::new(&tracer, Settings::new(40, 40)).unwrap().render(&mut target).unwrap();
+    Frame::new(&tracer, Settings::new(40, 40).with_depth(5)).unwrap().render(&mut target).unwrap();
     assert_eq!(pixels, pictures[0]);
     let scene = wide.as_scene();
     let mut target = LinearRgb::new(Size::new(40, 40), &mut pixels).unwrap();
     let tracer = Tracer::<f64, { Effects::ALL.bits() }, 5>::try_new(&scene).unwrap();
-    Frame::new(&tracer, Settings::new(40, 40)).unwrap().render(&mut target).unwrap();
+    Frame::new(&tracer, Settings::new(40, 40).with_depth(5)).unwrap().render(&mut target).unwrap();
     let off = pixels.iter().zip(&pictures[0]).filter(|(a, b)| (a.r - b.r).abs() > 1.0 / 255.0).count();
     assert!(off <= 4, "{off} pixels differ between f32 and f64");
     let full = SceneBuf::<f32, 49, 2>::from_scene(&scenes::CARD, |x| x).map(|_| ()).unwrap_err();
@@ -121,7 +121,7 @@ fn buffers_hold_what_bends_light() {
         let mut pixels = vec![Rgb::BLACK; 24 * 18];
         let mut target = LinearRgb::new(Size::new(24, 18), &mut pixels).unwrap();
         let tracer = Tracer::<f32, { Effects::ALL.bits() }, 5, 8>::try_new(scene).unwrap();
-        Frame::new(&tracer, Settings::new(24, 18)).unwrap().render(&mut target).unwrap();
+        Frame::new(&tracer, Settings::new(24, 18).with_depth(5)).unwrap().render(&mut target).unwrap();
         pixels
     };
     for (name, scene) in bent::scenes() {
@@ -137,7 +137,7 @@ fn buffers_hold_what_bends_light() {
         let mut target = LinearRgb::new(Size::new(24, 18), &mut pixels).unwrap();
         let wide = wide.as_scene();
         let tracer = Tracer::<f64, { Effects::ALL.bits() }, 5, 8>::try_new(&wide).unwrap();
-        Frame::new(&tracer, Settings::new(24, 18)).unwrap().render(&mut target).unwrap();
+        Frame::new(&tracer, Settings::new(24, 18).with_depth(5)).unwrap().render(&mut target).unwrap();
         let off = pixels.iter().zip(&single).filter(|(a, b)| (a.r - b.r).abs() > 2.0 / 255.0).count();
         println!("{name:38} {off} of 432 pixels differ between f32 and f64");
         assert!(off < 432 / 10, "{name}: {off} pixels differ between f32 and f64");

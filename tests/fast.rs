@@ -184,7 +184,7 @@ type Buffer<T> = SceneBuf<T, 600, 8, 8>;
 fn render<T: Real>(scene: &Scene<'_, f32>) -> Vec<[f32; 3]> {
     let buffer = Buffer::<T>::from_scene(scene, T::from_f32).unwrap();
     let scene = buffer.as_scene();
-    let tracer = Tracer::<T, { Effects::ALL.bits() }, 7, 8>::try_new(&scene).unwrap();
+    let tracer = Tracer::<T, { Effects::ALL.bits() }, 10, 8>::try_new(&scene).unwrap();
     let mut pixels = [Rgb::BLACK; 48 * 36];
     let mut target = LinearRgb::new(Size::new(48, 36), &mut pixels).unwrap();
     Frame::new(&tracer, Settings::new(48, 36)).unwrap().render(&mut target).unwrap();

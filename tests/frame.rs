@@ -363,7 +363,7 @@ fn huge_lights_stay_finite() {
         let lights = [Light::point(scenes::SPHERES.camera.eye, Rgb::new(1e12, 0.0, 1e12)).with_falloff(falloff)];
         let buffer = SceneBuf::<T, 8, 1>::from_scene(&scenes::SPHERES.with_lights(&lights), convert).unwrap();
         let scene = buffer.as_scene();
-        let tracer = Tracer::<T, ALL, 5>::try_new(&scene).unwrap();
+        let tracer = Tracer::<T, ALL, 8>::try_new(&scene).unwrap();
         let mut pixels = vec![Rgb::BLACK; 40 * 30];
         let mut target = LinearRgb::new(Size::new(40, 30), &mut pixels).unwrap();
         let settings = Settings::new(40, 30).with_sampling(Sampling::Sequence(4));

@@ -6,8 +6,8 @@ use whit::optics::{Band, bands, materials::dispersive};
 use whit::render::{LinearRgb, Size};
 use whit::scene::{BlackHole, Film, Law, Level, Medium, Method, Profile, Spectrum, Steps, Thickness};
 use whit::{
-    Background, Camera, Effects, Frame, Fresnel, Interface, Material, Object, Rgb, Scene, Settings, Shape, Stats,
-    Tracer, Vec3,
+    Background, Budget, Camera, Effects, Frame, Fresnel, Interface, Material, Object, Rgb, Scene, Settings, Shape,
+    Stats, Tracer, Vec3,
 };
 
 const UP: Vec3<f32> = Vec3::new(0.0, 1.0, 0.0);
@@ -39,7 +39,12 @@ fn render(scene: &Scene<'_, f32>, depth: u8) -> (Vec<Rgb<f32>>, Stats) {
     let tracer = Tracer::<f32, { Effects::ALL.bits() }, 12, 8>::try_new(scene).unwrap();
     let mut pixels = vec![Rgb::BLACK; 24 * 24];
     let mut target = LinearRgb::new(Size::new(24, 24), &mut pixels).unwrap();
-    let mut frame = Frame::observed(&tracer, Settings::new(24, 24).with_depth(depth), Stats::default()).unwrap();
+    let mut frame = Frame::observed(
+        &tracer,
+        Settings { budget: Budget::with_depth(depth), ..Settings::new(24, 24) },
+        Stats::default(),
+    )
+    .unwrap();
     frame.render(&mut target).unwrap();
     let stats = *frame.observer();
     (pixels, stats)

@@ -8,8 +8,8 @@ use whit::optics::{Band, attenuation_for, bands, materials};
 use whit::render::{LinearRgb, Size};
 use whit::scene::{Film, Medium, Spectrum, Thickness};
 use whit::{
-    Background, Camera, Effects, Frame, Fresnel, Interface, Light, Material, Object, Pattern, Rgb, Scene, Settings,
-    Shape, Stats, Tracer, Vec3,
+    Background, Budget, Camera, Effects, Frame, Fresnel, Interface, Light, Material, Object, Pattern, Rgb, Scene,
+    Settings, Shape, Stats, Tracer, Vec3,
 };
 
 const UP: Vec3<f32> = Vec3::new(0.0, 1.0, 0.0);
@@ -41,7 +41,7 @@ fn picture<const MEDIA: usize>(scene: &Scene<'_, f32>) -> (Vec<[f32; 3]>, Stats)
     let tracer = Tracer::<f32, { Effects::ALL.bits() }, { DEPTH as usize + 2 }, MEDIA>::try_new(scene).unwrap();
     let mut pixels = vec![Rgb::BLACK; SIZE.pixels() as usize];
     let mut target = LinearRgb::new(SIZE, &mut pixels).unwrap();
-    let settings = Settings::new(SIZE.width, SIZE.height).with_depth(DEPTH);
+    let settings = Settings { budget: Budget::with_depth(DEPTH), ..Settings::new(SIZE.width, SIZE.height) };
     let mut frame = Frame::observed(&tracer, settings, Stats::default()).unwrap();
     frame.render(&mut target).unwrap();
     let stats = *frame.observer();
@@ -218,7 +218,7 @@ fn single_triangles_make_a_mesh() {
 /// A list of media that is too short is told, for branches, for shadow rays and where the eye is.
 #[test]
 fn forgotten_media_are_counted() {
-    use whit::{Budget, Ray};
+    use whit::Ray;
     let ball = |radius| {
         let tinted = Material::transparent(Medium::new(1.2).with_attenuation(TINT));
         Object::new(Shape::sphere(v(0.0, 0.0, 0.0), radius), tinted).with_tinted_shadow()

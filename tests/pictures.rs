@@ -29,6 +29,11 @@ fn render_remembering<const MEDIA: usize>(scene: &Scene<'_, f32>, settings: Sett
     (pixels.iter().map(|color| [color.r, color.g, color.b]).collect(), stats)
 }
 
+/// Five bounces of whatever weight, as the reference follows them.
+fn uncut(width: u32, height: u32) -> Settings<f32> {
+    Settings { budget: Budget::with_depth(5), ..Settings::new(width, height) }
+}
+
 fn render(scene: &Scene<'_, f32>, settings: Settings<f32>) -> Vec<[f32; 3]> {
     render_counted(scene, settings).0
 }
@@ -50,7 +55,7 @@ fn reference_of(
 /// At one sample a pixel and depth 5, a small share of the pixels may differ visibly: edges that `f32` and `f64` see on
 /// different sides of a pixel's middle. They are left out of the mean.
 fn agrees(name: &str, scene: &Scene<'_, f32>, size: Size, share: f64) {
-    let (picture, stats) = render_counted(scene, Settings::new(size.width, size.height));
+    let (picture, stats) = render_counted(scene, uncut(size.width, size.height));
     let settings = reference::Settings::new(size.width, size.height, 5);
     let (expected, counts) = reference_of(scene, &settings, 1);
     let difference = Difference::between(&picture, &expected);
@@ -85,7 +90,7 @@ fn built_in_scenes_agree_with_the_reference() {
 #[test]
 fn scenes_that_bend_light_agree_with_the_reference() {
     for (name, scene) in scenes::ALL.into_iter().filter(|(_, scene)| bends(scene)) {
-        let (picture, stats) = render_counted(&scene, Settings::new(96, 72));
+        let (picture, stats) = render_counted(&scene, uncut(96, 72));
         let settings = reference::Settings::new(96, 72, 5);
         let (expected, _) = reference_of(&scene, &settings, 1);
         let difference = Difference::between(&picture, &expected);
@@ -101,7 +106,7 @@ fn scenes_that_bend_light_agree_with_the_reference() {
 #[test]
 fn light_that_is_bent_much_agrees_with_the_reference() {
     for (name, scene) in bent::scenes().into_iter().filter(|(name, _)| name.contains("controlled")) {
-        let (picture, stats) = render_counted(&scene, Settings::new(48, 36));
+        let (picture, stats) = render_counted(&scene, uncut(48, 36));
         let settings = reference::Settings::new(48, 36, 5);
         let (expected, _) = reference_of(&scene, &settings, 1);
         let difference = Difference::between(&picture, &expected);
@@ -121,7 +126,7 @@ fn bends(scene: &Scene<'_, f32>) -> bool {
 #[test]
 fn several_samples_agree_with_the_reference() {
     for (name, scene) in [("card", scenes::CARD), ("showcase", scenes::SHOWCASE)] {
-        let picture = render(&scene, Settings::new(48, 48).with_sampling(Sampling::Sequence(4)));
+        let picture = render(&scene, uncut(48, 48).with_sampling(Sampling::Sequence(4)));
         let settings = reference::Settings::new(48, 48, 5);
         let difference = Difference::between(&picture, &reference_of(&scene, &settings, 4).0);
         println!("{name:10} 4 samples: {difference}");
@@ -249,7 +254,7 @@ fn scenes_agree_with_povray() {
 #[test]
 fn card_agrees_with_the_original() {
     let original = image::open(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/card.png")).unwrap().into_rgb8();
-    let settings = Settings::new(512, 512).with_sampling(Sampling::Sequence(64)).with_depth(15);
+    let settings = uncut(512, 512).with_sampling(Sampling::Sequence(64)).with_depth(15);
     let picture = render(&scenes::CARD, settings);
     // The original cuts the fraction off.
     let bytes = |color: &[f32; 3]| color.map(|value| f64::from((value * 255.0).min(255.0).floor()));

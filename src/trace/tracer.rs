@@ -55,15 +55,15 @@ pub struct Tracer<'a, T, const EFFECTS: u64, const DEPTH: usize, const MEDIA: us
 
 /// The tracer of a constant `f32` scene, compiled for just the effects of that scene and checked by the compiler.
 ///
-/// `tracer!(SCENE)` goes to at most 5 bounces, `tracer!(SCENE, 12)` to at most 12.
+/// `tracer!(SCENE)` goes to at most 8 bounces, `tracer!(SCENE, 12)` to at most 12.
 ///
 /// ```
-/// let tracer = whit::tracer!(whit::scenes::SHOWCASE, 8);
+/// let tracer = whit::tracer!(whit::scenes::SHOWCASE, 12);
 /// ```
 #[macro_export]
 macro_rules! tracer {
     ($scene:path) => {
-        $crate::tracer!($scene, 5)
+        $crate::tracer!($scene, 8)
     };
     ($scene:path, $depth:expr) => {
         const {

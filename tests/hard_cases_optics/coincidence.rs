@@ -3,7 +3,7 @@
 
 use whit::render::{LinearRgb, Progress, Size};
 use whit::scene::{PackedSpheres, Sphere, Triangle};
-use whit::{Background, Camera, Frame, Light, Material, Object, Ray, Rgb, Scene, Settings, Shape, Vec3};
+use whit::{Background, Budget, Camera, Frame, Light, Material, Object, Ray, Rgb, Scene, Settings, Shape, Vec3};
 
 use crate::support::{Alone, Nested, Random, UP, plus, shoot, single, unit};
 
@@ -28,7 +28,7 @@ fn picture(scene: &Scene<'_, f32>, cut: Option<u32>) -> Vec<Rgb<f32>> {
     let tracer = Nested::try_new(scene).unwrap();
     let mut pixels = vec![Rgb::BLACK; (SIDE * SIDE) as usize];
     let mut target = LinearRgb::new(Size::new(SIDE, SIDE), &mut pixels).unwrap();
-    let settings = Settings::new(SIDE, SIDE).with_depth(4);
+    let settings = Settings { budget: Budget::with_depth(4), ..Settings::new(SIDE, SIDE) };
     match cut {
         None => Frame::new(&tracer, settings).unwrap().render(&mut target).unwrap(),
         Some(rays) => {
