@@ -68,10 +68,10 @@ const EXPECTED: [(&str, [Expected; 2]); 19] = [
 fn render<T: Real>(scene: &Scene<'static, f32>) -> Result<Vec<[f32; 3]>, String> {
     let scene = Box::new(Buffer::<T>::from_scene(scene, T::from_f32).unwrap());
     let scene = scene.as_scene();
-    let tracer = Tracer::<T, ALL, 7, 8>::try_new(&scene).map_err(|error| error.to_string())?;
+    let tracer = Tracer::<T, ALL, 10, 8>::try_new(&scene).map_err(|error| error.to_string())?;
     let mut pixels = vec![Rgb::BLACK; PIXELS];
     let mut target = LinearRgb::new(SIZE, &mut pixels).unwrap();
-    Frame::new(&tracer, Settings::new(SIZE.width, SIZE.height)).unwrap().render(&mut target).unwrap();
+    Frame::new(&tracer, Settings::new(SIZE.width, SIZE.height).with_depth(5)).unwrap().render(&mut target).unwrap();
     Ok(pixels.into_iter().map(|Rgb { r, g, b }| [r, g, b].map(|x| x.clamp(0.0, 1.0))).collect())
 }
 

@@ -17,7 +17,7 @@ fn camera(half_height: f32) -> Camera<f32> {
 fn render<T: Real>(scene: &Scene<'_, f32>, settings: Settings<T>) -> Vec<Rgb<f32>> {
     let scene = converted::<T>(scene);
     let scene = scene.as_scene();
-    let tracer = Tracer::<T, ALL, 5, 4>::try_new(&scene).unwrap();
+    let tracer = Tracer::<T, ALL, 8, 4>::try_new(&scene).unwrap();
     let mut pixels = vec![Rgb::BLACK; settings.size.pixels() as usize];
     let mut target = LinearRgb::new(settings.size, &mut pixels).unwrap();
     Frame::new(&tracer, settings).unwrap().render(&mut target).unwrap();
@@ -69,7 +69,7 @@ fn files() {
     fn said<T: Real>(scene: &Scene<'_, f32>) -> Option<String> {
         let scene = Box::new(Big::<T>::from_scene(scene, T::from_f32).unwrap());
         let scene = scene.as_scene();
-        let tracer = match Tracer::<T, ALL, 5, 4>::try_new(&scene) {
+        let tracer = match Tracer::<T, ALL, 8, 4>::try_new(&scene) {
             Ok(tracer) => tracer,
             Err(error) => return Some(error.to_string()),
         };

@@ -66,7 +66,10 @@ fn error<T: Real>(scene: &Scene<'_, T>, depth: u8) -> f32 {
     let tracer = Tracer::<T, ALL, 12, 8>::try_new(scene).unwrap();
     let mut pixels = vec![Rgb::BLACK; 24 * 24];
     let mut target = LinearRgb::new(Size::new(24, 24), &mut pixels).unwrap();
-    Frame::new(&tracer, Settings::new(24, 24).with_depth(depth)).unwrap().render(&mut target).unwrap();
+    Frame::new(&tracer, Settings { budget: whit::Budget::with_depth(depth), ..Settings::new(24, 24) })
+        .unwrap()
+        .render(&mut target)
+        .unwrap();
     let off = |x: f32| (x - LIGHT).abs() / T::SMALLEST.to_f32();
     pixels.iter().flat_map(|p| [p.r, p.g, p.b]).map(off).fold(0.0, f32::max)
 }

@@ -255,7 +255,7 @@ fn size_error<T: Real>(width: u32, height: u32) -> Option<SettingsError> {
     let c = T::from_f32;
     let camera = Camera::with_half_height(EYE.eye.map(c), EYE.target.map(c), EYE.up.map(c), T::HALF);
     let scene = Scene::new(camera, Background::Solid(Rgb::BLACK));
-    let tracer = Tracer::<T, ALL, 5>::try_new(&scene).unwrap();
+    let tracer = Tracer::<T, ALL, 8>::try_new(&scene).unwrap();
     Frame::new(&tracer, Settings::new(width, height)).err()
 }
 
