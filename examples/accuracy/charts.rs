@@ -8,7 +8,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::curves::PAIRS;
 
-const FONT: (&str, u32) = ("sans-serif", 14);
+const FONT: (&str, u32) = ("sans-serif", 13);
 const SIZE: (u32, u32) = (760, 460);
 /// The smallest error that is drawn.
 const LEAST: f64 = 1e-6;
@@ -113,46 +113,32 @@ fn color(i: usize, of: usize) -> RGBColor {
     RGBColor(r, g, b)
 }
 
-/// Errors by depth: solid where what is cut takes the background, dotted where it is black.
+/// Errors by depth, a panel a scene: solid where what is cut takes the background, dotted where it is black.
 pub fn depths(path: &Path, series: &[(&str, [Vec<f64>; 2])]) -> Result<()> {
-    let root = SVGBackend::new(path, (SIZE.0, 520)).into_drawing_area();
+    const COLUMNS: usize = 4;
+    const PANEL: (u32, u32) = (225, 185);
+    let rows = series.len().div_ceil(COLUMNS);
+    let size = (PANEL.0 * COLUMNS as u32, PANEL.1 * rows.max(1) as u32);
+    let root = SVGBackend::new(path, size).into_drawing_area();
     root.fill(&WHITE).map_err(failed)?;
     let values = series.iter().flat_map(|(_, both)| both.iter().flatten()).map(|&error| error.max(LEAST));
-    let mut chart = ChartBuilder::on(&root)
-        .margin(12)
-        .margin_right(110)
-        .x_label_area_size(44)
-        .y_label_area_size(64)
-        .build_cartesian_2d(0.0..10.0, decades(values).log_scale())
-        .map_err(failed)?;
-    mesh(&mut chart, "depth", "error of light (RMSE)", 5)?;
-    let mut ends = Vec::new();
-    for (i, (name, [background, black])) in series.iter().enumerate() {
-        let color = color(i, series.len());
+    let range = decades(values);
+    for (area, (name, [background, black])) in root.split_evenly((rows, COLUMNS)).iter().zip(series) {
+        let mut chart = ChartBuilder::on(area)
+            .margin(6)
+            .caption(name, ("sans-serif", 13))
+            .x_label_area_size(20)
+            .y_label_area_size(44)
+            .build_cartesian_2d(0.0..10.0, range.clone().log_scale())
+            .map_err(failed)?;
+        mesh(&mut chart, "", "", 1)?;
         let points = |errors: &[f64]| -> Vec<(f64, f64)> {
             (0..).map(f64::from).zip(errors.iter().map(|&error| error.max(LEAST))).collect()
         };
-        let dots = points(black).into_iter();
-        chart.draw_series(LineSeries::new(points(background), color.stroke_width(2))).map_err(failed)?;
-        chart.draw_series(DashedLineSeries::new(dots, 2, 4, color.stroke_width(2))).map_err(failed)?;
-        let end = background.last().copied().unwrap_or(LEAST).max(LEAST);
-        ends.push((chart.backend_coord(&(10.0, end)), color, *name));
-    }
-    beside(&root, ends)
-}
-
-/// Names at the right ends of lines, moved apart.
-fn beside(
-    root: &DrawingArea<SVGBackend<'_>, plotters::coord::Shift>,
-    mut ends: Vec<((i32, i32), RGBColor, &str)>,
-) -> Result<()> {
-    ends.sort_by_key(|((_, y), ..)| -y);
-    let mut above = i32::MAX;
-    for ((x, y), color, name) in ends {
-        let y = y.min(above - 15);
-        above = y;
-        let style = FONT.into_font().color(&color).pos(Pos::new(HPos::Left, VPos::Center));
-        root.draw_text(name, &style, (x + 8, y)).map_err(failed)?;
+        let (blue, red) = (RGBColor(20, 80, 180), RGBColor(210, 50, 30));
+        chart.draw_series(LineSeries::new(points(background), blue.stroke_width(2))).map_err(failed)?;
+        let dots = DashedLineSeries::new(points(black), 2, 4, red.stroke_width(2));
+        chart.draw_series(dots).map_err(failed)?;
     }
     root.present().map_err(failed)
 }

@@ -96,7 +96,7 @@ macro_rules! scenes {
             $(name if name.eq_ignore_ascii_case(stringify!($built_in)) => {
                 $kinds!($kind, $scene, $picture, $unpack, $built_in)
             })*
-            name => Err(format!("this program has no tracer for the scene `{name}`")),
+            name => Err(format!("this program has no tracer for the scene `{name}`: is it built with --release?")),
         }
     };
 }

@@ -24,6 +24,7 @@ mod number;
 mod number_name;
 mod page;
 mod picture;
+mod processors;
 mod record;
 #[path = "../../tests/reference/mod.rs"]
 mod reference;
@@ -32,6 +33,7 @@ mod sweep;
 mod targets;
 mod tuner;
 mod variant;
+mod web_json;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -91,7 +93,8 @@ fn write(Arguments { page, scene, host_only, .. }: &Arguments) -> Result<(), Str
         findings.agreements.push(agreement::of(name, scene)?);
         let mut bench = Bench::new(Subject::new(name, scene, SIZE))?;
         let depths = bench.depths()?;
-        if depths.iter().flatten().any(|error| *error != depths[0][0]) {
+        // Of those in which light goes on after one bounce.
+        if depths.iter().any(|errors| errors[1] != errors[2]) {
             findings.depths.push((name, depths));
         }
         let measured = bench.measure(true)?;
@@ -123,9 +126,20 @@ fn keep(page: &Path, mut findings: Findings, host_only: bool) -> Result<(), Stri
     }
     let records: Vec<_> = findings.scenes.iter().flat_map(|measured| measured.records.clone()).collect();
     record::write(&numbers, &records)?;
+    web_json::write(&frontier_of_web_page(page), &findings.scenes)?;
     std::fs::write(page, page::page(&findings)).map_err(|error| format!("{}: {error}", page.display()))?;
     println!("{}", page.display());
     Ok(())
+}
+
+/// Where the web page looks for it; of another page than the repository's, beside that.
+fn frontier_of_web_page(page: &Path) -> PathBuf {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    if page == root.join("docs/accuracy.md") {
+        root.join("examples/web/frontier.json")
+    } else {
+        page.with_file_name("frontier.json")
+    }
 }
 
 fn draw(images: &Path, measured: &Measured) -> Result<(), String> {

@@ -121,7 +121,7 @@ impl Bench {
         let mut series = [Vec::new(), Vec::new()];
         for (errors, termination) in series.iter_mut().zip([Termination::Background, Termination::Black]) {
             for depth in 0..=10 {
-                let setting = Setting { depth, termination, ..Setting::DEFAULT };
+                let setting = Setting { depth, cutoff: 0.0, termination, ..Setting::DEFAULT };
                 let taken = self.subject.take_quickly(&setting)?;
                 errors.push(Difference::between(&self.subject.shown(&taken.pixels), &self.light).rmse);
             }

@@ -7,6 +7,7 @@ use crate::curves::PAIRS;
 use crate::formats::Format;
 use crate::frontier::{Tolerance, dominating, frontier};
 use crate::measure::{Measured, TOLERANCE};
+use crate::processors;
 use crate::record::Record;
 use crate::setting::Setting;
 use crate::sweep::SAMPLES;
@@ -67,6 +68,7 @@ pub fn page(findings: &Findings) -> String {
     depths(&mut page, &findings.depths);
     page.push_str(include_str!("text/schlick.md"));
     curves(&mut page);
+    processors::section(&mut page, &findings.scenes);
     page.push_str(include_str!("text/formats.md"));
     formats(&mut page, &findings.formats);
     page.push_str("\n## The scenes\n");
@@ -160,11 +162,9 @@ fn knobs(page: &mut String, scenes: &[Measured]) {
             let last = values.len().checked_sub(1)?;
             Some([values[0], values[values.len() / 2], values[last]])
         };
-        let light = range(|change| change.1).map_or("".to_owned(), |[_, b, c]| format!("{b:.1e}, at most {c:.1e}"));
-        let time =
-            range(|change| Some(change.0)).map_or("".to_owned(), |[a, b, c]| format!("{a:.2} to {c:.2}×, {b:.2}×"));
-        let picture =
-            range(|change| Some(change.2)).map_or("".to_owned(), |[_, b, c]| format!("{b:.2}×, at most {c:.2}×"));
+        let light = range(|change| change.1).map_or("".to_owned(), |[_, b, c]| format!("{b:.1e}, {c:.1e}"));
+        let time = range(|change| Some(change.0)).map_or("".to_owned(), |[a, b, c]| format!("{a:.2}, {b:.2}, {c:.2}×"));
+        let picture = range(|change| Some(change.2)).map_or("".to_owned(), |[_, b, c]| format!("{b:.2}, {c:.2}×"));
         let _ = writeln!(page, "| `{name}` | {} | {time} | {light} | {picture} |", list.len());
     }
 }
@@ -180,6 +180,13 @@ fn depths(page: &mut String, depths: &[(&str, [Vec<f64>; 2])]) {
             page.push('\n');
         }
     }
+    let _ = write!(page, "| better | |");
+    for depth in 0..=10 {
+        let better =
+            |a: usize, b: usize| depths.iter().filter(|(_, both)| both[a][depth] * 1.03 < both[b][depth]).count();
+        let _ = write!(page, " {}, {} |", better(0, 1), better(1, 0));
+    }
+    page.push('\n');
 }
 
 fn curves(page: &mut String) {

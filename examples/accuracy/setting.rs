@@ -49,8 +49,8 @@ impl Setting {
     pub const DEFAULT: Self = Self {
         number: NumberName::F32,
         fresnel: Fresnel::Exact,
-        depth: 5,
-        cutoff: 0.0,
+        depth: 8,
+        cutoff: 1.0 / 255.0,
         termination: Termination::Background,
         sampling: Sampling::Grid(1),
         spectrum: SpectrumName::Own,

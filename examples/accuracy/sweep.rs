@@ -65,7 +65,7 @@ impl Knobs {
             fresnel,
             spectra: with(variant::has_film(scene), SpectrumName::Own, spectra()),
             paths: with(variant::is_bent(scene), Path::Own, paths(subject.name)),
-            depths: if branches { vec![1, 2, 3, 5, 8] } else { vec![Setting::DEFAULT.depth] },
+            depths: if branches { vec![1, 2, 3, 5, 8, 12] } else { vec![Setting::DEFAULT.depth] },
             cutoffs: if branches { vec![0.0, 1.0 / 255.0] } else { vec![0.0] },
             terminations: vec![Termination::Background],
             samplings: vec![Sampling::Grid(1)],

@@ -5,6 +5,9 @@ use std::str::FromStr;
 use crate::frontier::{Tolerance, frontier};
 use crate::record::Record;
 
+/// What counts as equal, so that nothing is paid for what cannot be told from noise.
+const EQUAL: Tolerance = Tolerance { cost: 0.03, error: 0.03 };
+
 /// What is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wish {
@@ -36,8 +39,7 @@ pub fn pick<'r>(
 ) -> Result<Pick<'r>, String> {
     let priced: Vec<(&Record, f64)> = records.into_iter().filter_map(|r| Some((r, cost(r)?))).collect();
     let points: Vec<_> = priced.iter().map(|(record, cost)| (*cost, record.picture.rmse)).collect();
-    let nothing = Tolerance { cost: 0.0, error: 0.0 };
-    let line: Vec<_> = frontier(&points, nothing).into_iter().filter_map(|place| priced.get(place).copied()).collect();
+    let line: Vec<_> = frontier(&points, EQUAL).into_iter().filter_map(|place| priced.get(place).copied()).collect();
     let (Some((_, least)), Some((best, _))) = (line.first(), line.last()) else {
         return Err("nothing was measured of this scene there".to_owned());
     };

@@ -25,6 +25,9 @@ use super::{Accumulate, Range, Real, Vec3};
 /// is nearly parallel, the sum of many lights) stops at the largest number. Light is not bent in fixed point: a mirage lives in
 /// differences of the index of refraction of 1e-5.
 ///
+/// A ray of one's own may start as far out as things are seen. A shape should be at least 32 times as large as numbers are
+/// apart: rays need some of that to leave it.
+///
 /// The functions (square root, exponential, power, the direction of a vector) are good to the last bit or two.
 pub struct Q<Frac>(FixedI32<Frac>);
 

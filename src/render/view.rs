@@ -50,8 +50,14 @@ impl<T: Real> View<T> {
             let (a, b) = aperture_point::<T, EFFECTS>(&lens.aperture, lens_sample());
             let offset = self.right * a + self.up * b;
             // To the point in focus, in units in which neither part of the way is long.
-            let unit = T::ONE / lens.focus.max(a.abs()).max(b.abs());
-            towards = towards * (lens.focus * unit) - offset * unit;
+            let longest = lens.focus.max(a.abs()).max(b.abs());
+            towards = if T::IS_FIXED {
+                // The inverse of what is long has no digits.
+                towards * (lens.focus / longest) - offset.map(|x| x / longest)
+            } else {
+                let unit = T::ONE / longest;
+                towards * (lens.focus * unit) - offset * unit
+            };
             origin += offset;
         }
         Ray { origin, direction: towards.normalized() }
