@@ -41,7 +41,7 @@ pub fn page(measures: &[Measure], compiler: &str) -> String {
     let mut page = HEAD.to_owned();
     let _ = write!(
         page,
-        "Pictures have {}×{} pixels of one sample, {DEPTH} bounces at most; the compiler is {compiler}.\n\n\
+        "Pictures have {}×{} pixels of one sample, at most {DEPTH} bounces of branches that weigh at least 1/255; the compiler is {compiler}.\n\n\
          Every picture here, and those of the example `conformance` on all these processors, on x86-64 and in WebAssembly, has\n\
          the same bits.\n",
         SIZE.width, SIZE.height
