@@ -8,6 +8,7 @@ mod cargo;
 #[path = "../board/checksum.rs"]
 mod checksum;
 mod conformance;
+mod engine;
 mod firmware;
 #[path = "../stack/function.rs"]
 mod function;

@@ -92,9 +92,10 @@ pub(super) fn triangle<T: Real>([a, b, c]: [Vec3<T>; 3]) -> Option<Crossing<T>> 
     if sum == zero {
         return None;
     }
-    let shares = weights.map(|weight| T::ratio(weight, sum));
-    let part = |z: T, weight| z.scaled(T::share(weight, sum));
-    let t = part(a.z, weights[0]) + part(b.z, weights[1]) + part(c.z, weights[2]);
+    // With more digits than a number has, for a distance that may be long.
+    let [u, v, w] = weights.map(|weight| T::share(weight, sum));
+    let t = a.z.scaled(u) + b.z.scaled(v) + c.z.scaled(w);
+    let shares = [u, v, w].map(|share| T::ONE.scaled(share));
     Some(Crossing { shares, t, is_clockwise: sum > zero })
 }
 

@@ -4,14 +4,12 @@
 //! a count is added wherever control may go elsewhere or come from elsewhere, and is exact. Instructions that only mark the
 //! borders of blocks are not counted, for an engine executes nothing for them.
 
+use super::engine::COUNTER;
 use wasm_encoder::reencode::{Error, Reencode, utils};
 use wasm_encoder::{
     CodeSection, ConstExpr, ExportKind, ExportSection, Function, GlobalSection, GlobalType, Instruction, ValType,
 };
 use wasmparser::{ExportSectionReader, FunctionBody, GlobalSectionReader, Operator};
-
-/// What the count is exported as.
-pub const COUNTER: &str = "executed instructions";
 
 /// The same module with a count.
 pub fn counted(module: &[u8]) -> Result<Vec<u8>, String> {
@@ -117,6 +115,7 @@ const fn goes_elsewhere(operator: &Operator<'_>) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::engine::COUNTER;
     use super::*;
     use wasm_encoder::{BlockType, FunctionSection, Module, TypeSection};
 

@@ -6,6 +6,8 @@
 #[path = "../../targets/cargo.rs"]
 mod cargo;
 mod counted;
+#[path = "../../targets/engine.rs"]
+mod engine;
 #[path = "../../effects/library.rs"]
 mod library;
 mod machine;
