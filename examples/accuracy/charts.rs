@@ -67,6 +67,40 @@ pub fn cloud(path: &Path, cloud: &Cloud<'_>) -> Result<()> {
     root.present().map_err(failed)
 }
 
+/// Lines with dots by cost and error, each with its name.
+pub fn frontiers(path: &Path, lines: &[(&str, Vec<(f64, f64)>)], x: &str, y: &str) -> Result<()> {
+    let root = SVGBackend::new(path, (SIZE.0, 340)).into_drawing_area();
+    root.fill(&WHITE).map_err(failed)?;
+    let points = || lines.iter().flat_map(|(_, line)| line);
+    let (low, high) = points().fold((f64::INFINITY, 0.0_f64), |(low, high), p| (low.min(p.0), high.max(p.0)));
+    let errors = decades(points().map(|p| p.1.max(LEAST)));
+    let mut chart = ChartBuilder::on(&root)
+        .margin(12)
+        .x_label_area_size(44)
+        .y_label_area_size(64)
+        .build_cartesian_2d((0.8 * low..1.25 * high).log_scale(), errors.log_scale())
+        .map_err(failed)?;
+    mesh(&mut chart, x, y, 10)?;
+    for (i, (name, line)) in lines.iter().enumerate() {
+        let color = color(i, lines.len());
+        let line = || line.iter().map(|&(x, y)| (x, y.max(LEAST)));
+        chart
+            .draw_series(LineSeries::new(line(), color.stroke_width(2)))
+            .map_err(failed)?
+            .label(*name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], color.stroke_width(2)));
+        chart.draw_series(line().map(|point| Circle::new(point, 4, color.filled()))).map_err(failed)?;
+    }
+    chart
+        .configure_series_labels()
+        .position(SeriesLabelPosition::LowerLeft)
+        .label_font(FONT)
+        .background_style(WHITE.mix(0.8))
+        .draw()
+        .map_err(failed)?;
+    root.present().map_err(failed)
+}
+
 /// A place for a label beside each dot, away from the dots and from the labels before it.
 fn apart(dots: &[(i32, i32)]) -> Vec<(i32, i32)> {
     const BESIDE: [(i32, i32); 8] = [(9, -10), (-10, 11), (12, 4), (-12, -6), (0, -15), (0, 16), (18, -16), (-18, 18)];

@@ -14,18 +14,21 @@ pub fn of(setting: &Setting, scene: &str) -> String {
     let mut code = String::new();
     let constant = format!("scenes::{}", scene.to_uppercase());
     let (depth, number) = (setting.depth, setting.number.type_name());
-    match setting.fresnel {
-        Fresnel::Exact => {}
-        Fresnel::Schlick => {
-            let _ = writeln!(code, "const SCENE: Scene<'static, f32> = {constant}.with_fresnel(Fresnel::Schlick);");
-        }
+    let changes = changes(setting);
+    if !changes.is_empty() {
+        let _ = writeln!(code, "const SCENE: Scene<'static, f32> = {constant}{changes};");
     }
-    let scene = if setting.fresnel == Fresnel::Schlick { "SCENE" } else { constant.as_str() };
+    let scene = if changes.is_empty() { constant.as_str() } else { "SCENE" };
     if let Some(film) = film(setting.spectrum) {
         let _ = writeln!(code, "// Of each film: .with_spectrum({film})");
     }
-    if let Some(steps) = steps(setting.path) {
-        let _ = writeln!(code, "// Of each profile: method: Method::Steps({steps}); of a black hole: steps: {steps}");
+    match setting.path {
+        Path::Own => {}
+        Path::Layers(thickness) => {
+            let _ = writeln!(code, "// Of each profile: method: Method::Layers {{ thickness: {thickness:?} }}");
+        }
+        Path::Fixed(length) => with_steps(&mut code, &format!("Fixed {{ length: {length:?} }}")),
+        Path::Controlled(tolerance) => with_steps(&mut code, &format!("Controlled {{ tolerance: {tolerance:?} }}")),
     }
     if setting.number == NumberName::F32 {
         let _ = writeln!(code, "let tracer = whit::tracer!({scene}, {depth});");
@@ -47,6 +50,18 @@ pub fn of(setting: &Setting, scene: &str) -> String {
         sampling(setting.sampling)
     );
     code
+}
+
+/// Of the scene as a whole.
+fn changes(setting: &Setting) -> String {
+    let mut changes = String::new();
+    if setting.fresnel == Fresnel::Schlick {
+        changes.push_str(".with_fresnel(Fresnel::Schlick)");
+    }
+    if let Some(distance) = setting.offset {
+        let _ = write!(changes, ".with_offset(Offset::Fixed({distance:?}))");
+    }
+    changes
 }
 
 fn budget(setting: &Setting) -> String {
@@ -88,10 +103,9 @@ fn film(spectrum: SpectrumName) -> Option<String> {
     }
 }
 
-fn steps(path: Path) -> Option<String> {
-    match path {
-        Path::Own => None,
-        Path::Fixed(length) => Some(format!("Steps::Fixed {{ length: {length:?} }}")),
-        Path::Controlled(tolerance) => Some(format!("Steps::Controlled {{ tolerance: {tolerance:?} }}")),
-    }
+fn with_steps(code: &mut String, steps: &str) {
+    let _ = writeln!(
+        code,
+        "// Of each profile: method: Method::Steps(Steps::{steps}); of a black hole: steps: Steps::{steps}"
+    );
 }

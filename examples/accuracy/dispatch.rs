@@ -21,6 +21,8 @@ pub struct Kind {
     spectrum: Effects,
     /// The steps of all paths, if they are not the scene's own.
     steps: Effects,
+    /// That rays leave surfaces at a fixed distance, if they do.
+    offset: Effects,
 }
 
 /// What is traced, and what came of it.
@@ -45,8 +47,10 @@ impl From<&Setting> for Kind {
             Path::Own => Effects::NONE,
             Path::Fixed(_) => Effects::FIXED_STEPS,
             Path::Controlled(_) => Effects::CONTROLLED_STEPS,
+            Path::Layers(_) => Effects::LAYERS,
         };
-        Self { fresnel: setting.fresnel, spectrum, steps }
+        let offset = if setting.offset.is_some() { Effects::FIXED_OFFSET } else { Effects::NONE };
+        Self { fresnel: setting.fresnel, spectrum, steps, offset }
     }
 }
 
@@ -56,10 +60,10 @@ const fn replaced(effects: Effects, group: Effects, by: Effects) -> Effects {
 }
 
 /// Those of a variant of a scene with these effects.
-const fn varied(effects: Effects, spectrum: Effects, steps: Effects) -> u64 {
+const fn varied(effects: Effects, spectrum: Effects, steps: Effects) -> Effects {
     const SPECTRA: Effects = Effects::FILM_WAVELENGTHS.with(Effects::FILM_BANDS).with(Effects::FILM_TABLE);
-    const STEPS: Effects = Effects::FIXED_STEPS.with(Effects::CONTROLLED_STEPS);
-    replaced(replaced(effects, SPECTRA, spectrum), STEPS, steps).bits()
+    const STEPS: Effects = Effects::FIXED_STEPS.with(Effects::CONTROLLED_STEPS).with(Effects::LAYERS);
+    replaced(replaced(effects, SPECTRA, spectrum), STEPS, steps)
 }
 
 /// With spheres that are objects of their own.
@@ -104,33 +108,38 @@ macro_rules! scenes {
 macro_rules! all_kinds {
     ($($arguments:tt)*) => {
         kinds!($($arguments)*;
-            (Exact, NONE, NONE) (Exact, NONE, FIXED_STEPS) (Exact, NONE, CONTROLLED_STEPS)
-            (Exact, FILM_WAVELENGTHS, NONE) (Exact, FILM_BANDS, NONE) (Exact, FILM_TABLE, NONE)
-            (Schlick, NONE, NONE) (Schlick, NONE, FIXED_STEPS) (Schlick, NONE, CONTROLLED_STEPS)
-            (Schlick, FILM_WAVELENGTHS, NONE) (Schlick, FILM_BANDS, NONE) (Schlick, FILM_TABLE, NONE))
+            (Exact, NONE, NONE, NONE) (Exact, NONE, NONE, FIXED_OFFSET)
+            (Exact, NONE, FIXED_STEPS, NONE) (Exact, NONE, CONTROLLED_STEPS, NONE) (Exact, NONE, LAYERS, NONE)
+            (Exact, FILM_WAVELENGTHS, NONE, NONE) (Exact, FILM_BANDS, NONE, NONE) (Exact, FILM_TABLE, NONE, NONE)
+            (Schlick, NONE, NONE, NONE)
+            (Schlick, NONE, FIXED_STEPS, NONE) (Schlick, NONE, CONTROLLED_STEPS, NONE) (Schlick, NONE, LAYERS, NONE)
+            (Schlick, FILM_WAVELENGTHS, NONE, NONE) (Schlick, FILM_BANDS, NONE, NONE)
+            (Schlick, FILM_TABLE, NONE, NONE))
     };
 }
 
 /// What the reference needs.
 macro_rules! finest_kinds {
     ($($arguments:tt)*) => {
-        kinds!($($arguments)*; (Exact, NONE, NONE) (Exact, NONE, CONTROLLED_STEPS) (Exact, FILM_BANDS, NONE))
+        kinds!($($arguments)*; (Exact, NONE, NONE, NONE) (Exact, NONE, CONTROLLED_STEPS, NONE)
+            (Exact, FILM_BANDS, NONE, NONE))
     };
 }
 
 macro_rules! own_kind {
     ($($arguments:tt)*) => {
-        kinds!($($arguments)*; (Exact, NONE, NONE))
+        kinds!($($arguments)*; (Exact, NONE, NONE, NONE))
     };
 }
 
 macro_rules! kinds {
     ($kind:expr, $scene:expr, $picture:expr, $unpack:ident, $built_in:ident;
-        $(($fresnel:ident, $spectrum:ident, $steps:ident))*) => {
-        match ($kind.fresnel, $kind.spectrum, $kind.steps) {
-            $((Fresnel::$fresnel, Effects::$spectrum, Effects::$steps) => {
+        $(($fresnel:ident, $spectrum:ident, $steps:ident, $offset:ident))*) => {
+        match ($kind.fresnel, $kind.spectrum, $kind.steps, $kind.offset) {
+            $((Fresnel::$fresnel, Effects::$spectrum, Effects::$steps, Effects::$offset) => {
                 const SCENE: Scene<'static, f32> = whit::scenes::$built_in.with_fresnel(Fresnel::$fresnel);
-                const EFFECTS: u64 = varied($unpack(SCENE.effects()), Effects::$spectrum, Effects::$steps);
+                const EFFECTS: u64 =
+                    varied($unpack(SCENE.effects()), Effects::$spectrum, Effects::$steps).with(Effects::$offset).bits();
                 frame::<T, EFFECTS, { SCENE.stack(DEPTH) }, { SCENE.media() }>($scene, $picture)
             })*
             _ => Err("this program has no tracer of that kind".to_owned()),

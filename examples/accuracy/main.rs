@@ -68,6 +68,9 @@ struct Arguments {
 
 const SIZE: Size = Size::new(64, 48);
 
+/// The vertical axis of charts.
+const ERROR: &str = "error of the picture (RMSE)";
+
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let numbers = arguments.page.with_extension("csv");
@@ -86,6 +89,8 @@ fn main() -> ExitCode {
 }
 
 fn write(Arguments { page, scene, host_only, .. }: &Arguments) -> Result<(), String> {
+    let numbers = page.with_extension("csv");
+    let before = if numbers.exists() { record::read(&numbers)? } else { Vec::new() };
     let wanted = |name: &str| scene.is_empty() || scene.iter().any(|wanted| wanted == name);
     let mut findings = Findings { scenes: vec![], depths: vec![], agreements: vec![], formats: vec![], size: SIZE };
     let mut pictures = Vec::new();
@@ -97,7 +102,8 @@ fn write(Arguments { page, scene, host_only, .. }: &Arguments) -> Result<(), Str
         if depths.iter().any(|errors| errors[1] != errors[2]) {
             findings.depths.push((name, depths));
         }
-        let measured = bench.measure(true)?;
+        let mut measured = bench.measure(true)?;
+        record::keep_costs(&mut measured.records, &before);
         eprintln!("{name}: {} settings, times within {:.1} %", measured.records.len(), 100.0 * measured.noise);
         if Encoding::of(&scene) == Encoding::Srgb {
             pictures.push(measured.converged.clone());
@@ -117,19 +123,26 @@ fn keep(page: &Path, mut findings: Findings, host_only: bool) -> Result<(), Stri
     charts::depths(&images.join("depth.svg"), &findings.depths)?;
     charts::curves(&images.join("schlick.svg"))?;
     let numbers = page.with_extension("csv");
-    let before = if numbers.exists() { record::read(&numbers)? } else { Vec::new() };
-    for measured in &mut findings.scenes {
-        record::keep_costs(&mut measured.records, &before);
-        if !host_only {
-            targets::measure(&mut measured.records)?;
-        }
+    write_numbers(&numbers, &findings.scenes)?;
+    let mut failures = Vec::new();
+    for place in 0..if host_only { 0 } else { findings.scenes.len() } {
+        failures.extend(targets::measure(&mut findings.scenes[place].records)?);
+        // What takes long to measure is written at once.
+        write_numbers(&numbers, &findings.scenes)?;
     }
-    let records: Vec<_> = findings.scenes.iter().flat_map(|measured| measured.records.clone()).collect();
-    record::write(&numbers, &records)?;
+    for measured in findings.scenes.iter().filter(|measured| processors::are_known(measured)) {
+        let chart = images.join(format!("{}-processors.svg", measured.name));
+        charts::frontiers(&chart, &processors::lines(measured), "instructions a pixel", ERROR)?;
+    }
     web_json::write(&frontier_of_web_page(page), &findings.scenes)?;
     std::fs::write(page, page::page(&findings)).map_err(|error| format!("{}: {error}", page.display()))?;
     println!("{}", page.display());
-    Ok(())
+    if failures.is_empty() { Ok(()) } else { Err(failures.join("\n")) }
+}
+
+fn write_numbers(path: &Path, scenes: &[Measured]) -> Result<(), String> {
+    let records: Vec<_> = scenes.iter().flat_map(|measured| measured.records.clone()).collect();
+    record::write(path, &records)
 }
 
 /// Where the web page looks for it; of another page than the repository's, beside that.
@@ -144,7 +157,7 @@ fn frontier_of_web_page(page: &Path) -> PathBuf {
 
 fn draw(images: &Path, measured: &Measured) -> Result<(), String> {
     let (points, frontier) = (measured.points(), measured.frontier());
-    let (x, y) = ("time, as a ratio to the default", "error of the picture (RMSE)");
-    let cloud = Cloud { points: &points, frontier: &frontier, default: 0, x, y };
+    let x = "time, as a ratio to the default";
+    let cloud = Cloud { points: &points, frontier: &frontier, default: 0, x, y: ERROR };
     charts::cloud(&images.join(measured.name).with_extension("svg"), &cloud)
 }

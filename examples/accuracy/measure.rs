@@ -79,11 +79,15 @@ impl Bench {
         settings.extend(together.product());
         self.add(&mut entries, &settings)?;
         self.time(&mut entries, timed)?;
-        let sampled = self.promising(&entries, timed).into_iter().flat_map(|(setting, cost)| {
-            let affordable = move |sampled: &Setting| cost * f64::from(sampled.sampling.most()) <= MOST;
-            alone.sampled(&[setting]).into_iter().filter(affordable)
-        });
-        let sampled: Vec<Setting> = sampled.collect();
+        let promising = self.promising(&entries, timed);
+        let affordable = |(setting, cost): &(Setting, f64)| {
+            let cost = *cost;
+            let sampled = alone.sampled(&[*setting]).into_iter();
+            sampled.filter(move |sampled| cost * f64::from(sampled.sampling.most()) <= MOST)
+        };
+        let mut sampled: Vec<Setting> = promising.iter().flat_map(affordable).collect();
+        let promising: Vec<Setting> = promising.into_iter().map(|(setting, _)| setting).collect();
+        sampled.extend(Knobs::for_firmware(&promising));
         let before = entries.len();
         self.add(&mut entries, &sampled)?;
         let (_, later) = entries.split_at_mut(before);

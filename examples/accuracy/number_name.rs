@@ -29,6 +29,9 @@ macro_rules! names {
         impl NumberName {
             pub const ALL: &'static [Self] = &[$(Self::$variant,)*];
 
+            /// Those that firmware is written in.
+            pub const FIRMWARE: [Self; 4] = [Self::F32, Self::Fast, Self::Q20, Self::Q16];
+
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$variant => $name,)*

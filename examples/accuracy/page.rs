@@ -254,6 +254,7 @@ fn section(page: &mut String, measured: &Measured) {
             code::of(&record.setting, name)
         );
     }
+    processors::frontiers(page, measured);
 }
 
 fn reference(page: &mut String, findings: &Findings) {

@@ -84,6 +84,7 @@ impl Subject {
             fresnel: setting.fresnel,
             spectrum: setting.spectrum,
             path: setting.path,
+            offset: setting.offset,
             ..Setting::DEFAULT
         };
         let (name, scene) = (self.name, &self.scene);

@@ -23,7 +23,7 @@ pub struct Record {
     pub costs: BTreeMap<String, f64>,
 }
 
-const KNOBS: [&str; 8] = ["number", "fresnel", "depth", "cutoff", "termination", "samples", "film", "path"];
+const KNOBS: [&str; 9] = ["number", "fresnel", "depth", "cutoff", "termination", "samples", "film", "path", "offset"];
 const ERRORS: [&str; 5] = ["rmse", "max", "share", "delta_e", "delta_e_max"];
 
 /// The name of a column of errors.

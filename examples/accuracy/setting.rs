@@ -21,6 +21,8 @@ pub struct Setting {
     pub sampling: Sampling<f32>,
     pub spectrum: SpectrumName,
     pub path: Path,
+    /// The distance at which rays leave surfaces; none is what the scene has.
+    pub offset: Option<f32>,
 }
 
 /// How films get their colour.
@@ -42,6 +44,8 @@ pub enum Path {
     Fixed(f32),
     /// To this tolerance.
     Controlled(f32),
+    /// In layers of this thickness.
+    Layers(f32),
 }
 
 impl Setting {
@@ -55,11 +59,12 @@ impl Setting {
         sampling: Sampling::Grid(1),
         spectrum: SpectrumName::Own,
         path: Path::Own,
+        offset: None,
     };
 
     /// Whether it leaves the scene as it is.
     pub fn has_own_scene(&self) -> bool {
-        self.fresnel == Fresnel::Exact && self.spectrum == SpectrumName::Own && self.path == Path::Own
+        *self == Self { fresnel: Fresnel::Exact, spectrum: SpectrumName::Own, path: Path::Own, offset: None, ..*self }
     }
 
     /// The setting for a picture of a size.
@@ -105,10 +110,12 @@ impl fmt::Display for Setting {
             SpectrumName::Table => f.write_str(" film=table")?,
         }
         match self.path {
-            Path::Own => Ok(()),
-            Path::Fixed(length) => write!(f, " path=fixed:{length}"),
-            Path::Controlled(tolerance) => write!(f, " path=controlled:{tolerance:e}"),
+            Path::Own => {}
+            Path::Fixed(length) => write!(f, " path=fixed:{length}")?,
+            Path::Controlled(tolerance) => write!(f, " path=controlled:{tolerance:e}")?,
+            Path::Layers(thickness) => write!(f, " path=layers:{thickness}")?,
         }
+        self.offset.map_or(Ok(()), |distance| write!(f, " offset={distance}"))
     }
 }
 
@@ -128,6 +135,8 @@ impl FromStr for Setting {
                 Some(("samples", samples)) => setting.sampling = parse_sampling(samples)?,
                 Some(("film", film)) => setting.spectrum = parse_spectrum(film)?,
                 Some(("path", path)) => setting.path = parse_path(path)?,
+                Some(("offset", "own")) => setting.offset = None,
+                Some(("offset", distance)) => setting.offset = Some(number(distance)?),
                 Some((key, _)) => return Err(format!("`{key}` is no part of a setting")),
             }
         }
@@ -204,6 +213,7 @@ fn parse_path(text: &str) -> Result<Path, String> {
         None if text == "own" => Ok(Path::Own),
         Some(("fixed", length)) => Ok(Path::Fixed(number(length)?)),
         Some(("controlled", tolerance)) => Ok(Path::Controlled(number(tolerance)?)),
-        _ => Err(format!("expected fixed:LENGTH or controlled:TOLERANCE, found `{text}`")),
+        Some(("layers", thickness)) => Ok(Path::Layers(number(thickness)?)),
+        _ => Err(format!("expected fixed:LENGTH, controlled:TOLERANCE or layers:THICKNESS, found `{text}`")),
     }
 }

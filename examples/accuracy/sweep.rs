@@ -23,6 +23,7 @@ pub struct Knobs {
     pub fresnel: Vec<Fresnel>,
     pub spectra: Vec<SpectrumName>,
     pub paths: Vec<Path>,
+    pub offsets: Vec<Option<f32>>,
     pub depths: Vec<u8>,
     pub cutoffs: Vec<f32>,
     pub terminations: Vec<Termination<f32>>,
@@ -48,6 +49,8 @@ impl Knobs {
                 SIXTEENTH,
                 MANY,
             ],
+            // One distance for all scenes, as it is mostly set.
+            offsets: vec![Some(1e-2), Some(1e-3), Some(1e-4)],
             ..together
         }
     }
@@ -68,6 +71,7 @@ impl Knobs {
             depths: if branches { vec![1, 2, 3, 5, 8, 12] } else { vec![Setting::DEFAULT.depth] },
             cutoffs: if branches { vec![0.0, 1.0 / 255.0] } else { vec![0.0] },
             terminations: vec![Termination::Background],
+            offsets: vec![None],
             samplings: vec![Sampling::Grid(1)],
         }
     }
@@ -82,6 +86,7 @@ impl Knobs {
         settings.extend(self.paths.iter().map(|&path| Setting { path, ..d }));
         settings.extend(self.cutoffs.iter().map(|&cutoff| Setting { cutoff, ..d }));
         settings.extend(self.samplings.iter().map(|&sampling| Setting { sampling, ..d }));
+        settings.extend(self.offsets.iter().map(|&offset| Setting { offset, ..d }));
         for &termination in &self.terminations {
             settings.extend(self.depths.iter().map(|&depth| Setting { depth, termination, ..d }));
         }
@@ -91,6 +96,14 @@ impl Knobs {
     /// Some settings with all samples.
     pub fn sampled(&self, settings: &[Setting]) -> Vec<Setting> {
         extended(settings, &self.samplings, |setting, &sampling| Setting { sampling, ..setting })
+    }
+
+    /// Some settings with a few samples, in the number types that firmware is written in; the first one with more.
+    pub fn for_firmware(settings: &[Setting]) -> Vec<Setting> {
+        let few = extended(settings, &[Sampling::Sequence(4)], |setting, &sampling| Setting { sampling, ..setting });
+        let more = settings.first().map(|&first| Setting { sampling: Sampling::Sequence(16), ..first });
+        let all: Vec<Setting> = few.into_iter().chain(more).filter(Setting::has_own_scene).collect();
+        extended(&all, &NumberName::FIRMWARE, |setting, &number| Setting { number, ..setting })
     }
 
     /// All combinations, of number types besides the default one with the scene as it is.
@@ -123,7 +136,7 @@ fn spectra() -> Vec<SpectrumName> {
     vec![SpectrumName::Wavelengths, SpectrumName::Table, SpectrumName::Bands(8), SpectrumName::Bands(16)]
 }
 
-/// Tolerances for all, and lengths for each scene: in its units, or around the hole as shares of the distance.
+/// Tolerances for all, and lengths and thicknesses for each scene: in its units, or around the hole as shares of the distance.
 fn paths(scene: &str) -> Vec<Path> {
     let lengths: &[f32] = match scene {
         "mirage" => &[4.0, 1.0],
@@ -134,7 +147,15 @@ fn paths(scene: &str) -> Vec<Path> {
         _ => &[],
     };
     let controlled = [1e-3, 1e-4, 1e-5, 1e-6].into_iter().map(Path::Controlled);
-    controlled.chain(lengths.iter().map(|&length| Path::Fixed(length))).collect()
+    let layers: &[f32] = match scene {
+        "mirage" => &[0.01, 0.0025],
+        "ship" => &[1.0, 0.25],
+        "sunset" => &[1.0, 0.25],
+        "lenses" => &[0.05, 0.0125],
+        _ => &[],
+    };
+    let fixed = lengths.iter().map(|&length| Path::Fixed(length));
+    controlled.chain(fixed).chain(layers.iter().map(|&thickness| Path::Layers(thickness))).collect()
 }
 
 /// What others are measured against, with the same samples: what is cut weighs less than 1e-5.

@@ -21,14 +21,15 @@ pub const fn column(machine: Machine) -> &'static str {
     }
 }
 
-/// Measures what can be measured there, and writes it into the records.
+/// Measures what can be measured there, and writes it into the records. Tells which programs could not be built or run, and why.
 ///
 /// # Errors
-/// Why a program cannot be built or run, and where machines give other pictures.
-pub fn measure(records: &mut [Record]) -> Result<(), String> {
+/// Where machines give other pictures.
+pub fn measure(records: &mut [Record]) -> Result<Vec<String>, String> {
     let mut places: BTreeMap<String, (Program, Vec<usize>)> = BTreeMap::new();
     for (place, record) in records.iter().enumerate().filter(|(_, record)| is_measured(&record.setting)) {
-        let key = format!("{} {}", record.scene, Setting { depth: 0, cutoff: 0.0, ..record.setting });
+        let key = Setting { depth: 0, cutoff: 0.0, sampling: Sampling::Grid(1), ..record.setting };
+        let key = format!("{} {key}", record.scene);
         let (program, of_program) = places.entry(key).or_insert_with(|| (program(record), Vec::new()));
         program.runs.push(run(&record.setting));
         of_program.push(place);
@@ -37,12 +38,17 @@ pub fn measure(records: &mut [Record]) -> Result<(), String> {
     let wanted: Vec<_> =
         programs.iter().flat_map(|program| MACHINES.map(|machine| (machine, program.clone()))).collect();
     let measured = boards::measure_all(&wanted)?;
+    let mut failures = Vec::new();
     for (of_program, measured) in places.iter().zip(measured.chunks(MACHINES.len())) {
         for measured in measured {
-            let costs = measured.costs.as_ref().map_err(|error| {
-                let (program, machine) = (&measured.program, measured.machine);
-                format!("{} in {} on {machine:?}: {error}", program.scene, program.number)
-            })?;
+            let costs = match &measured.costs {
+                Ok(costs) => costs,
+                Err(error) => {
+                    let Program { scene, number, .. } = &measured.program;
+                    failures.push(format!("{scene} in {number} on {:?}: {error}", measured.machine));
+                    continue;
+                }
+            };
             for (place, cost) in of_program.iter().zip(costs) {
                 if let Some(record) = records.get_mut(*place) {
                     record.costs.insert(column(measured.machine).to_owned(), cost.per_pixel);
@@ -50,14 +56,22 @@ pub fn measure(records: &mut [Record]) -> Result<(), String> {
             }
         }
     }
-    Ok(())
+    Ok(failures)
 }
 
-/// One sample a pixel, and the number types that firmware is written in.
+/// Few samples, the number types that firmware is written in, and at most one model that is not the scene's.
 fn is_measured(setting: &Setting) -> bool {
-    let has_number = matches!(setting.number, NumberName::F32 | NumberName::Fast | NumberName::Q16 | NumberName::Q20);
-    has_number
-        && setting.sampling == Sampling::Grid(1)
+    let is_other = [
+        setting.fresnel != Setting::DEFAULT.fresnel,
+        setting.spectrum != Setting::DEFAULT.spectrum,
+        setting.path != Setting::DEFAULT.path,
+        setting.offset != Setting::DEFAULT.offset,
+    ];
+    NumberName::FIRMWARE.contains(&setting.number)
+        && matches!(setting.sampling, Sampling::Grid(1) | Sampling::Sequence(4 | 16))
+        && is_other.into_iter().filter(|is_other| *is_other).count() <= 1
+        && matches!(setting.path, Path::Own | Path::Controlled(_))
+        && matches!(setting.offset, None | Some(1e-3))
         && setting.termination == Termination::Background
         && [1, 2, 3, 5, 8].contains(&setting.depth)
         && (setting.cutoff == 0.0 || setting.cutoff == 1.0 / 255.0)
@@ -79,7 +93,9 @@ fn program(record: &Record) -> Program {
         Path::Own => {}
         Path::Fixed(length) => models.push(Model::StepLength(length)),
         Path::Controlled(tolerance) => models.push(Model::Tolerance(tolerance)),
+        Path::Layers(thickness) => models.push(Model::Layers(thickness)),
     }
+    models.extend(setting.offset.map(Model::Offset));
     // A slow processor takes some seconds for as many pixels.
     let size = match record.scene.as_str() {
         "mirage" | "ship" | "sunset" | "lenses" | "hole" => [8, 6],
@@ -89,5 +105,6 @@ fn program(record: &Record) -> Program {
 }
 
 fn run(setting: &Setting) -> Run {
-    Run { depth: setting.depth, cutoff: setting.cutoff, termination: "background".to_owned(), samples: 1 }
+    let samples = setting.sampling.most();
+    Run { depth: setting.depth, cutoff: setting.cutoff, termination: "background".to_owned(), samples }
 }

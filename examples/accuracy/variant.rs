@@ -1,7 +1,7 @@
-//! What of a scene itself is a choice between accuracy and time: the spectra of its films and the method of its bent paths.
+//! What of a scene itself is a choice between accuracy and time: the spectra of its films, the method of its bent paths, and where rays leave its surfaces.
 
 use whit::optics::{Band, bands};
-use whit::scene::{BlackHole, Film, Fresnel, Method, Profile, Spectrum, Steps};
+use whit::scene::{BlackHole, Film, Fresnel, Method, Offset, Profile, Spectrum, Steps};
 use whit::{Interface, Material, Object, Scene};
 
 use crate::setting::{Path, Setting, SpectrumName};
@@ -21,11 +21,15 @@ pub fn of(scene: &Scene<'static, f32>, setting: &Setting) -> Result<Scene<'stati
         let objects: Vec<_> = scene.objects.iter().map(|object| with_spectrum(object, spectrum)).collect();
         scene.objects = objects.leak();
     }
-    if let Some(steps) = steps(setting.path) {
-        let method = Method::Steps(steps);
+    if let Some(method) = method(setting.path) {
         let profiles: Vec<_> = scene.profiles.iter().map(|profile| Profile { method, ..*profile }).collect();
         scene.profiles = profiles.leak();
-        scene.black_hole = scene.black_hole.map(|hole| BlackHole { steps, ..hole });
+        if let Method::Steps(steps) = method {
+            scene.black_hole = scene.black_hole.map(|hole| BlackHole { steps, ..hole });
+        }
+    }
+    if let Some(distance) = setting.offset {
+        scene.offset = Offset::Fixed(distance);
     }
     Ok(scene)
 }
@@ -63,11 +67,12 @@ fn spectrum(name: SpectrumName) -> Result<Option<Spectrum>, String> {
     }))
 }
 
-const fn steps(path: Path) -> Option<Steps<f32>> {
+const fn method(path: Path) -> Option<Method<f32>> {
     match path {
         Path::Own => None,
-        Path::Fixed(length) => Some(Steps::Fixed { length }),
-        Path::Controlled(tolerance) => Some(Steps::Controlled { tolerance }),
+        Path::Fixed(length) => Some(Method::Steps(Steps::Fixed { length })),
+        Path::Controlled(tolerance) => Some(Method::Steps(Steps::Controlled { tolerance })),
+        Path::Layers(thickness) => Some(Method::Layers { thickness }),
     }
 }
 

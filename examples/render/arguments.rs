@@ -9,6 +9,7 @@ use whit::render::{Sampling, Settings, Size};
 use whit::{Budget, Rgb, Termination};
 
 use crate::scene::{DEPTH, Source};
+use crate::setting::Share;
 use crate::tune::Seconds;
 use crate::tuner::Amount;
 use crate::work::Job;
@@ -36,7 +37,7 @@ pub struct Arguments {
     #[arg(long, value_name = "D", default_value_t = 8, value_parser = clap::value_parser!(u8).range(0..=DEPTH as i64))]
     depth: u8,
     /// Cut branches that weigh less than this.
-    #[arg(long, value_name = "C", default_value_t = 0.0, value_parser = parse_amount)]
+    #[arg(long, value_name = "C", default_value = "1/255", value_parser = parse_amount)]
     cutoff: f32,
     /// Rays a pixel may take, shadow rays included.
     #[arg(long, value_name = "N", default_value_t = u32::MAX, hide_default_value = true)]
@@ -116,8 +117,8 @@ fn parse_size(text: &str) -> Result<Size, String> {
 }
 
 fn parse_amount(text: &str) -> Result<f32, String> {
-    match f32::from_str(text) {
-        Ok(value) if value.is_finite() && value >= 0.0 => Ok(value),
+    match Share::from_str(text) {
+        Ok(Share(value)) if value.is_finite() && value >= 0.0 => Ok(value),
         _ => Err("expected a finite number of at least 0".to_owned()),
     }
 }

@@ -6,7 +6,8 @@
 //! prints a line for each run: bounces, cutoff, what stands for what is cut, samples a pixel, the instructions of the whole
 //! picture, and the checksum of its linear pixels. What is fixed when it is compiled besides: WHIT_NUMBER, the number type;
 //! WHIT_FRESNEL, `exact` or `schlick`; WHIT_SPECTRUM of thin films, `wavelengths`, `table`, or `bands:16`; WHIT_STEPS of bent light,
-//! `length:0.02`, `tolerance:0.00001` or `layers:0.01`. What is not named is as the scene has it.
+//! `length:0.02`, `tolerance:0.00001` or `layers:0.01`; WHIT_OFFSET, the distance at which rays leave surfaces, such as `0.001`. What
+//! is not named is as the scene has it.
 //!
 //! It takes more memory than a micro:bit has, so that a program for a Cortex-M0 runs on a board with a Cortex-M3, which has the
 //! same instructions and more:

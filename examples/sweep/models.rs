@@ -1,7 +1,7 @@
-//! The scene, computed by other models than its own: WHIT_FRESNEL, WHIT_SPECTRUM and WHIT_STEPS.
+//! The scene, computed by other models than its own: WHIT_FRESNEL, WHIT_SPECTRUM, WHIT_STEPS and WHIT_OFFSET.
 
 use whit::optics::{Band, bands};
-use whit::scene::{BlackHole, Film, Interface, Method, Profile, Spectrum, Steps};
+use whit::scene::{BlackHole, Film, Interface, Method, Offset, Profile, Spectrum, Steps};
 use whit::{Fresnel, Material, Object, Scene};
 
 use crate::choice::{SCENE as BUILT_IN, same};
@@ -16,6 +16,10 @@ pub const SCENE: Scene<'static, f32> = Scene {
         (Some(hole), Some(Method::Steps(steps))) => Some(BlackHole { steps, ..hole }),
         (Some(_), Some(Method::Layers { .. })) => panic!("WHIT_STEPS: there are no layers around a black hole"),
         (hole, _) => hole,
+    },
+    offset: match option_env!("WHIT_OFFSET") {
+        None => BUILT_IN.offset,
+        Some(distance) => Offset::Fixed(decimal::read(distance.as_bytes())),
     },
     ..BUILT_IN
 };

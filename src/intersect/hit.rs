@@ -45,7 +45,8 @@ impl<T: Real> Hit<'_, T> {
                 }
             }
         };
-        Surface::new(located, shading.unwrap_or(located.normal), curvature_radius).with_offset::<EFFECTS>(offset)
+        let normal = located.normal;
+        Surface::new::<EFFECTS>(located, shading.unwrap_or(normal), curvature_radius, offset)
     }
 
     /// The flat face that is met: a point of it and the direction across.

@@ -31,21 +31,19 @@ pub(crate) struct Surface<T> {
 }
 
 impl<T: Real> Surface<T> {
-    /// The surface around a point, with this normal to shade with and this radius of curvature.
+    /// The surface around a point, with this normal to shade with and this radius of curvature, left as the scene says.
     #[inline(always)]
-    pub(crate) fn new(Located { point, normal, error }: Located<T>, shading: Vec3<T>, curvature_radius: T) -> Self {
-        Self { point, normal, shading, offset: offset(point, normal, error), curvature_radius }
-    }
-
-    /// The same place, left as the scene says.
-    #[inline(always)]
-    pub(crate) fn with_offset<const EFFECTS: u64>(self, offset: &Offset<T>) -> Self {
-        match *offset {
-            Offset::Fixed(distance) if Effects::from_bits(EFFECTS).has(Effects::FIXED_OFFSET) => {
-                Self { offset: self.normal * distance, ..self }
-            }
-            _ => self,
-        }
+    pub(crate) fn new<const EFFECTS: u64>(
+        Located { point, normal, error }: Located<T>,
+        shading: Vec3<T>,
+        curvature_radius: T,
+        offset: &Offset<T>,
+    ) -> Self {
+        let offset = match *offset {
+            Offset::Fixed(distance) if Effects::from_bits(EFFECTS).has(Effects::FIXED_OFFSET) => normal * distance,
+            _ => bounded(point, normal, error),
+        };
+        Self { point, normal, shading, offset, curvature_radius }
     }
 
     /// How far the normal may turn, as an angle, within the rounding of the point.
@@ -91,7 +89,7 @@ impl<T: Real> Surface<T> {
 /// (Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th edition, 6.8.6). Adding the shift rounds each
 /// coordinate once more, by up to u·|pᵢ|; twice that is added. No constant of the scene's size is involved.
 #[inline]
-fn offset<T: Real>(point: Vec3<T>, normal: Vec3<T>, error: Vec3<T>) -> Vec3<T> {
+fn bounded<T: Real>(point: Vec3<T>, normal: Vec3<T>, error: Vec3<T>) -> Vec3<T> {
     let rounding = point.abs().map(T::spacing);
     normal * normal.abs().dot(error + rounding)
 }

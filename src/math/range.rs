@@ -26,15 +26,15 @@ impl Range {
     #[cfg(feature = "fixed")]
     pub(super) const fn of_fraction(bits: u32) -> Self {
         let (coordinate_text, amount_text, thickness_text) = match bits {
-            12 => ("a number of at most 16384", "a number from 0 to 256", "a thickness of at most 245760 nm"),
-            13 => ("a number of at most 8192", "a number from 0 to 128", "a thickness of at most 122880 nm"),
-            14 => ("a number of at most 4096", "a number from 0 to 128", "a thickness of at most 61440 nm"),
-            15 => ("a number of at most 2048", "a number from 0 to 64", "a thickness of at most 30720 nm"),
-            16 => ("a number of at most 1024", "a number from 0 to 64", "a thickness of at most 15360 nm"),
-            17 => ("a number of at most 512", "a number from 0 to 32", "a thickness of at most 7680 nm"),
-            18 => ("a number of at most 256", "a number from 0 to 32", "a thickness of at most 3840 nm"),
-            19 => ("a number of at most 128", "a number from 0 to 16", "a thickness of at most 1920 nm"),
-            _ => ("a number of at most 64", "a number from 0 to 16", "a thickness of at most 960 nm"),
+            12 => ("a number from -16384 to 16384", "a number from 0 to 256", "a thickness of at most 245760 nm"),
+            13 => ("a number from -8192 to 8192", "a number from 0 to 128", "a thickness of at most 122880 nm"),
+            14 => ("a number from -4096 to 4096", "a number from 0 to 128", "a thickness of at most 61440 nm"),
+            15 => ("a number from -2048 to 2048", "a number from 0 to 64", "a thickness of at most 30720 nm"),
+            16 => ("a number from -1024 to 1024", "a number from 0 to 64", "a thickness of at most 15360 nm"),
+            17 => ("a number from -512 to 512", "a number from 0 to 32", "a thickness of at most 7680 nm"),
+            18 => ("a number from -256 to 256", "a number from 0 to 32", "a thickness of at most 3840 nm"),
+            19 => ("a number from -128 to 128", "a number from 0 to 16", "a thickness of at most 1920 nm"),
+            _ => ("a number from -64 to 64", "a number from 0 to 16", "a thickness of at most 960 nm"),
         };
         let coordinate = (1_u32 << (26 - bits)) as f32;
         Self {

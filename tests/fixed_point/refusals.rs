@@ -40,7 +40,7 @@ fn assert_same_said(place: Place, field: &'static str, expected: &'static str, c
     assert_said(place, field, [expected; 2], change);
 }
 
-const COORDINATE: [&str; 2] = ["a number of at most 1024", "a number of at most 64"];
+const COORDINATE: [&str; 2] = ["a number from -1024 to 1024", "a number from -64 to 64"];
 const AMOUNT: [&str; 2] = ["a number from 0 to 64", "a number from 0 to 16"];
 const THICKNESS: [&str; 2] = ["a thickness of at most 15360 nm", "a thickness of at most 960 nm"];
 const DIRECTION: &str = "a direction of length 1/64 to 1.5";

@@ -10,7 +10,7 @@ const SIZE = [96, 72];
 /** What fixed point refuses, and why. */
 const BENT = "expected nothing that bends light, in fixed point";
 const REFUSED = {
-  window: "object 2: max: expected a number of at most 64",
+  window: "object 2: min: expected a number from -64 to 64",
   mirage: `scene: profiles: ${BENT}`,
   ship: `scene: profiles: ${BENT}`,
   sunset: `scene: profiles: ${BENT}`,

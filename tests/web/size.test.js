@@ -15,7 +15,7 @@ const LIMITS = {
   web: { plain: 168_000, optimised: 120_500 },
   web_f64: { plain: 186_000, optimised: 136_000 },
   web_fast: { plain: 175_000, optimised: 126_000 },
-  web_q20: { plain: 164_000, optimised: 115_500 },
+  web_q20: { plain: 167_000, optimised: 117_500 },
   web_nff: { plain: 61_500, optimised: 52_000 },
   web_card: { plain: 14_100, optimised: 11_600 },
 };

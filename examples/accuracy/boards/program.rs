@@ -30,6 +30,9 @@ pub enum Model {
     /// WHIT_STEPS, for scenes that bend light.
     StepLength(f32),
     Tolerance(f32),
+    Layers(f32),
+    /// WHIT_OFFSET
+    Offset(f32),
 }
 
 impl Model {
@@ -37,7 +40,8 @@ impl Model {
         match self {
             Self::SchlickFresnel => "WHIT_FRESNEL",
             Self::Wavelengths | Self::Bands(_) | Self::Table => "WHIT_SPECTRUM",
-            Self::StepLength(_) | Self::Tolerance(_) => "WHIT_STEPS",
+            Self::StepLength(_) | Self::Tolerance(_) | Self::Layers(_) => "WHIT_STEPS",
+            Self::Offset(_) => "WHIT_OFFSET",
         }
     }
 }
@@ -51,6 +55,8 @@ impl fmt::Display for Model {
             Self::Table => f.write_str("table"),
             Self::StepLength(length) => write!(f, "length:{length}"),
             Self::Tolerance(tolerance) => write!(f, "tolerance:{tolerance}"),
+            Self::Layers(thickness) => write!(f, "layers:{thickness}"),
+            Self::Offset(distance) => write!(f, "{distance}"),
         }
     }
 }
@@ -66,7 +72,7 @@ impl Program {
         let runs: Vec<String> = self.runs.iter().map(ToString::to_string).collect();
         cargo.env("WHIT_SCENE", &self.scene).env("WHIT_NUMBER", &self.number).env("WHIT_RUNS", runs.join(";"));
         cargo.env("WHIT_SIZE", format!("{}x{}", self.size[0], self.size[1]));
-        for variable in ["WHIT_FRESNEL", "WHIT_SPECTRUM", "WHIT_STEPS"] {
+        for variable in ["WHIT_FRESNEL", "WHIT_SPECTRUM", "WHIT_STEPS", "WHIT_OFFSET"] {
             cargo.env_remove(variable);
         }
         for model in &self.models {
