@@ -28,7 +28,9 @@ pub const fn column(machine: Machine) -> &'static str {
 pub fn measure(records: &mut [Record]) -> Result<Vec<String>, String> {
     let mut places: BTreeMap<String, (Program, Vec<usize>)> = BTreeMap::new();
     for (place, record) in records.iter().enumerate().filter(|(_, record)| is_measured(&record.setting)) {
-        let key = Setting { depth: 0, cutoff: 0.0, sampling: Sampling::Grid(1), ..record.setting };
+        let of_one_sample = record.setting.sampling == Sampling::Grid(1);
+        let sampling = if of_one_sample { Sampling::Grid(1) } else { Sampling::Sequence(4) };
+        let key = Setting { depth: 0, cutoff: 0.0, sampling, ..record.setting };
         let key = format!("{} {key}", record.scene);
         let (program, of_program) = places.entry(key).or_insert_with(|| (program(record), Vec::new()));
         program.runs.push(run(&record.setting));
@@ -97,8 +99,8 @@ fn program(record: &Record) -> Program {
     }
     models.extend(setting.offset.map(Model::Offset));
     // A slow processor takes some seconds for as many pixels.
-    let size = match record.scene.as_str() {
-        "mirage" | "ship" | "sunset" | "lenses" | "hole" => [8, 6],
+    let size = match (record.scene.as_str(), setting.sampling) {
+        ("mirage" | "ship" | "sunset" | "lenses" | "hole", _) | (_, Sampling::Sequence(_)) => [8, 6],
         _ => [16, 12],
     };
     Program { scene: record.scene.clone(), number: setting.number.to_string(), models, size, runs: Vec::new() }

@@ -19,6 +19,8 @@ pub struct Options<'a> {
     pub level: Option<&'a str>,
     /// Flags of the compiler. Those that begin with `-Z` are unstable, and let through all the same.
     pub flags: &'a [&'a str],
+    /// The library's features.
+    pub features: &'a [&'a str],
 }
 
 /// The library, built for a target, and a folder to work in.
@@ -55,6 +57,7 @@ impl Library {
         if let Some(target) = options.target {
             build.args(["--target", target]);
         }
+        build.args(options.features.iter().flat_map(|feature| ["--features", *feature]));
         let crates = named_crates(&run(&mut build)?);
         if !crates.iter().any(|(name, _)| name == "whit") {
             return Err("cargo built no library".to_owned());
@@ -81,6 +84,8 @@ impl Library {
                 compile.arg("-L").arg(format!("dependency={}", folder.unwrap_or(path).display()));
             }
         }
+        // Macros that the library's dependencies are compiled with.
+        compile.arg("-L").arg(format!("dependency={}", self.folder.join("release/deps").display()));
         run(compile.arg(&file).arg("-o").arg(&output))?;
         Ok(output)
     }

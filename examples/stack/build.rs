@@ -26,6 +26,9 @@ pub const LEVELS: [&str; 2] = ["3", "s"];
 /// these flags leave not a byte of it changed.
 const FLAGS: [&str; 3] = ["-Zemit-stack-sizes", "-Zunstable-options", "-Csymbol-mangling-version=legacy"];
 
+/// For the number types.
+const FEATURES: [&str; 2] = ["fixed", "micromath"];
+
 /// The library for one processor at one level of optimisation.
 pub struct Toolchain {
     pub target: Target,
@@ -38,7 +41,7 @@ pub struct Toolchain {
 impl Toolchain {
     pub fn new(target: Target, level: &'static str) -> Result<Self, String> {
         let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/target/stack")).join(level);
-        let options = Options { target: Some(target.name), level: Some(level), flags: &FLAGS };
+        let options = Options { target: Some(target.name), level: Some(level), flags: &FLAGS, features: &FEATURES };
         let library = Library::build_with(&folder, options)
             .map_err(|error| format!("is {0} installed? `rustup target add {0}`\n{error}", target.name))?;
         let linker = if has_linker()? { None } else { Some("ld.lld") };

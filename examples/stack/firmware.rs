@@ -101,13 +101,16 @@ fn semihosting(operation: usize, argument: usize) {
 
 /// A program that renders a scene, 16 by 12 pixels. `step` in it is [`whit::Frame::step`] of that scene.
 macro_rules! firmware {
-    (effects: $effects:expr, depth: $depth:expr, media: $media:expr, tracer: $tracer:expr, bounces: $bounces:expr) => {
+    (
+        number: $number:ty, effects: $effects:expr, depth: $depth:expr, media: $media:expr, tracer: $tracer:expr,
+        bounces: $bounces:expr
+    ) => {
         use core::mem::MaybeUninit;
         use whit::render::{LinearRgb, Progress, Size};
         use whit::{Frame, Rgb, Settings};
 
         const SIZE: Size = Size::new(16, 12);
-        type Drawn = Frame<'static, f32, { $effects.bits() }, { $depth }, (), { $media }>;
+        type Drawn = Frame<'static, $number, { $effects.bits() }, { $depth }, (), { $media }>;
 
         static mut PIXELS: [Rgb<f32>; SIZE.pixels() as usize] = [Rgb::BLACK; SIZE.pixels() as usize];
         #[unsafe(no_mangle)]

@@ -27,8 +27,9 @@ an eighth or 64 bytes, whichever is more: another compiler lays stack frames out
 
 Each row is a linked program ([`firmware.rs`](../examples/stack/firmware.rs)) that renders one scene, with 16 KiB of RAM,
 into a `LinearRgb` over a static array. The built-in scenes are constants, with a tracer each for what they call for;
-\"any, at run time\" is a tracer for all effects, `Effects::ALL`, and eight media. The machine code is followed from
-`step` on, a function that does nothing but call `Frame::step`.
+\"any, at run time\" is a tracer for all effects, `Effects::ALL`, and eight media; in another number type than `f32`,
+the program converts the scene first. The machine code is followed from `step` on, a function that does nothing but call
+`Frame::step`.
 
 - **Stack frames.** Every way through a function is followed with the number of bytes on the stack. Where the compiler
   notes the size of the stack frame (`-Z emit-stack-sizes`), the two must be equal.
@@ -46,7 +47,7 @@ into a `LinearRgb` over a static array. The built-in scenes are constants, with 
 
 What is above `step` on the stack is the caller's and not in these figures. Nor are interrupts: for each, the processor
 itself takes 32 bytes, or 104 with an FPU. `put` of a framebuffer is called from `step`, which has most of its stack in use
-then; one that needs much itself adds to that. The frames are of `f32`, without an observer.
+then; one that needs much itself adds to that. The frames are without an observer.
 ";
 
 /// The whole page.
