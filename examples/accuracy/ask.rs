@@ -87,7 +87,8 @@ impl Question {
             if of_scene.is_empty() {
                 return Err(format!("--scene {scene}: {} has no such scene", numbers.display()));
             }
-            let pick = pick(of_scene, |record| self.cost(record), wish).map_err(|error| format!("{scene}: {error}"))?;
+            let pick = pick(of_scene, |record| self.cost(record), |cost| self.in_words(cost), wish);
+            let pick = pick.map_err(|error| format!("{scene}: {error}"))?;
             println!("{}", pick.reasons(|cost| self.in_words(cost)));
             println!("{}", code::of(&pick.record.setting, scene));
         }

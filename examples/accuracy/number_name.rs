@@ -39,9 +39,9 @@ macro_rules! names {
             }
 
             /// The type as a user of the library writes it.
-            pub const fn type_name(self) -> &'static str {
+            pub fn type_name(self) -> String {
                 match self {
-                    $(Self::$variant => stringify!($type),)*
+                    $(Self::$variant => stringify!($type).replace(' ', ""),)*
                 }
             }
         }

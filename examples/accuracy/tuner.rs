@@ -28,13 +28,14 @@ pub struct Pick<'r> {
     pub better: Option<(&'r Record, f64)>,
 }
 
-/// Picks one of the records that have a cost.
+/// Picks one of the records that have a cost, which is told in words.
 ///
 /// # Errors
 /// Says what the best there is can do, where none fulfils the wish.
 pub fn pick<'r>(
     records: impl IntoIterator<Item = &'r Record>,
     cost: impl Fn(&Record) -> Option<f64>,
+    in_words: impl Fn(f64) -> String,
     wish: Wish,
 ) -> Result<Pick<'r>, String> {
     let priced: Vec<(&Record, f64)> = records.into_iter().filter_map(|r| Some((r, cost(r)?))).collect();
@@ -52,7 +53,7 @@ pub fn pick<'r>(
         Wish::Cost(most) => line
             .iter()
             .rposition(|(_, cost)| *cost <= most)
-            .ok_or_else(|| format!("the least cost that was measured is {least:.3}")),
+            .ok_or_else(|| format!("the least that was measured is {}", in_words(*least))),
     }?;
     let at = |place: Option<usize>| place.and_then(|place| line.get(place)).copied();
     let (record, cost) = at(Some(place)).ok_or("nothing was measured")?;

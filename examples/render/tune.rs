@@ -40,11 +40,11 @@ pub fn job(arguments: &Arguments, source: &Source) -> Result<Option<Job>, String
     let records = record::read(Path::new(NUMBERS))?;
     let of_scene: Vec<&Record> =
         records.iter().filter(|record| record.scene == *name && is_had_here(&record.setting)).collect();
-    let picked = pick(of_scene, |record| record.time, wish).map_err(|error| format!("{name}: {error}"))?;
     let in_words = |cost: f64| match default {
         Some(default) => format!("about {:.3} s", cost * default),
         None => format!("{cost:.2} times the time of the default"),
     };
+    let picked = pick(of_scene, |record| record.time, in_words, wish).map_err(|error| format!("{name}: {error}"))?;
     println!("{}", picked.reasons(in_words));
     println!("{}", code::of(&picked.record.setting, name));
     let settings = picked.record.setting.for_picture(size.width, size.height);
