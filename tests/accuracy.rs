@@ -151,6 +151,48 @@ fn settings_are_read_as_they_are_written() {
     assert!("f16".parse::<Setting>().unwrap_err().contains("f32"));
 }
 
+/// Lets the compiler see some code, and has its text.
+macro_rules! with_text {
+    ($text:ident: $($code:tt)*) => {
+        let $text = stringify!($($code)*);
+        $($code)*
+    };
+}
+
+fn assert_code(text: &str, setting: &str, scene: &str) {
+    let without_spaces = |text: &str| text.split_whitespace().collect::<String>();
+    assert_eq!(without_spaces(&code::of(&setting.parse().unwrap(), scene)), without_spaces(text));
+}
+
+#[test]
+fn code_to_paste_compiles() -> Result<(), Box<dyn std::error::Error>> {
+    use whit::scene::Offset;
+    use whit::{Budget, Effects, Frame, Fresnel, Real, SceneBuf, Settings, Tracer};
+
+    let (width, height) = (8, 6);
+    with_text! { text:
+        const SCENE: Scene<'static, f32> = scenes::DEEP.with_fresnel(Fresnel::Schlick).with_offset(Offset::Fixed(0.001));
+        let tracer = whit::tracer!(SCENE, 3);
+        let budget = Budget { cutoff: 0.25, termination: Termination::Black, ..Budget::with_depth(3) };
+        let settings = Settings { budget, sampling: Sampling::Grid(2), ..Settings::new(width, height) };
+    }
+    Frame::new(&tracer, settings)?;
+    assert_code(text, "f32 schlick depth=3 cutoff=1/4 termination=black samples=2x2 offset=0.001", "deep");
+    with_text! { text:
+        const EFFECTS: Effects = scenes::SHOWCASE.effects().with(Effects::SPHERE).with(Effects::TRIANGLE);
+        let copy = SceneBuf::<whit::math::Q16, 128, 8, 4>::from_scene(&scenes::SHOWCASE, whit::math::Q16::from_f32)?;
+        let copy = copy.as_scene();
+        let tracer = Tracer::<whit::math::Q16, { EFFECTS.bits() }, { scenes::SHOWCASE.stack(5) },
+            { scenes::SHOWCASE.media() }>::try_new(&copy)?;
+        let budget = Budget { cutoff: whit::math::Q16::from_f32(0.25), ..Budget::with_depth(5) };
+        let settings = Settings { budget, sampling: Sampling::Adaptive {
+            first: 4, most: 16, contrast: whit::math::Q16::from_f32(0.0625) }, ..Settings::new(width, height) };
+    }
+    Frame::new(&tracer, settings)?;
+    assert_code(text, "q16 exact depth=5 cutoff=1/4 samples=4..16@1/16", "showcase");
+    Ok(())
+}
+
 #[test]
 fn frontiers_of_random_points() {
     let mut random = fastrand::Rng::with_seed(7);

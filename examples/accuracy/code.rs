@@ -47,7 +47,7 @@ pub fn of(setting: &Setting, scene: &str) -> String {
     let _ = writeln!(
         code,
         "let settings = Settings {{ budget, sampling: {}, ..Settings::new(width, height) }};",
-        sampling(setting.sampling)
+        sampling(setting.sampling, setting.number)
     );
     code
 }
@@ -66,30 +66,37 @@ fn changes(setting: &Setting) -> String {
 
 fn budget(setting: &Setting) -> String {
     let mut fields = String::new();
+    let literal = |x| literal(x, setting.number);
     if setting.cutoff != 0.0 {
-        let _ = write!(fields, "cutoff: {:?}, ", setting.cutoff);
+        let _ = write!(fields, "cutoff: {}, ", literal(setting.cutoff));
     }
     match setting.termination {
         Termination::Background => {}
         Termination::Black => fields.push_str("termination: Termination::Black, "),
         Termination::Color(color) => {
-            let _ = write!(
-                fields,
-                "termination: Termination::Color(Rgb::new({:?}, {:?}, {:?})), ",
-                color.r, color.g, color.b
-            );
+            let [r, g, b] = [color.r, color.g, color.b].map(literal);
+            let _ = write!(fields, "termination: Termination::Color(Rgb::new({r}, {g}, {b})), ");
         }
     }
     let plain = format!("Budget::with_depth({})", setting.depth);
     if fields.is_empty() { plain } else { format!("Budget {{ {fields}..{plain} }}") }
 }
 
-fn sampling(sampling: Sampling<f32>) -> String {
+/// A number in a number type.
+fn literal(x: f32, number: NumberName) -> String {
+    match number {
+        NumberName::F32 | NumberName::F64 => format!("{x:?}"),
+        _ => format!("{}::from_f32({x:?})", number.type_name()),
+    }
+}
+
+fn sampling(sampling: Sampling<f32>, number: NumberName) -> String {
     match sampling {
         Sampling::Grid(n) => format!("Sampling::Grid({n})"),
         Sampling::Sequence(n) => format!("Sampling::Sequence({n})"),
         Sampling::Adaptive { first, most, contrast } => {
-            format!("Sampling::Adaptive {{ first: {first}, most: {most}, contrast: {contrast:?} }}")
+            let contrast = literal(contrast, number);
+            format!("Sampling::Adaptive {{ first: {first}, most: {most}, contrast: {contrast} }}")
         }
     }
 }
