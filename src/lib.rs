@@ -93,7 +93,7 @@
 //! | `f32` | the default; processors with an FPU |
 //! | `f64` | a reference |
 //! | [`Fast`] | processors without an FPU, in scenes with films, attenuation or real exponents of highlights |
-//! | [`Q16`], [`Q20`] | processors without an FPU: a fifth of the instructions of `f32`, in scenes that fit and bend no light |
+//! | [`Q16`], [`Q20`] | processors without an FPU: 0.14 to 0.5 of the instructions of `f32`, in scenes that fit and bend no light |
 //!
 //! A constant `f32` scene gets into another type by [`SceneBuf::from_scene`] or, in place, [`SceneBuf::copy_from`].
 #![cfg_attr(not(test), no_std)]
