@@ -5,8 +5,9 @@
 
 use whit::optics::{Band, bands, materials};
 use whit::scene::{
-    Aperture, BlackHole, Emitter, Exponent, Falloff, Film, Fresnel, Highlight, Law, Lens, Level, Lobe, Medium, Method,
-    Offset, PackedSpheres, Profile, ShadowRays, SmoothTriangle, Spectrum, Sphere, Steps, Thickness, Triangle,
+    Aperture, BlackHole, Emitter, Exponent, Falloff, Film, Fresnel, HierarchyBuf, Highlight, Law, Lens, Level, Lobe,
+    Medium, Method, Offset, PackedSpheres, Profile, ShadowRays, SmoothTriangle, Spectrum, Sphere, Steps, Thickness,
+    Triangle,
 };
 use whit::{Background, Camera, Interface, Light, Material, Object, Pattern, Rgb, Scene, Shape, Tone, Vec3};
 
@@ -42,6 +43,7 @@ const AIR: Profile<'static, f32> =
 const LAYERS: Method<f32> = Method::Layers { thickness: 0.25 };
 const FIXED: Method<f32> = Method::Steps(Steps::Fixed { length: 0.25 });
 static SPECTRUM: [Band; 38] = bands();
+const BOXES: HierarchyBuf<1, 2> = HierarchyBuf::of(&SPHERE);
 
 const fn ball(material: Material<f32>) -> [Object<'static, f32>; 2] {
     [FLOOR, Object::new(BALL, material)]
@@ -103,6 +105,7 @@ scenes! {
     FADING = ball(BODY), background: Background::Gradient { below: Rgb::WHITE, above: TINT, up: UP };
     ZENITH = ball(BODY), background: Background::Sky { horizon: TINT, up: UP };
     OFFSET = ball(BODY), offset: Offset::Fixed(1e-3);
+    IN_BOXES = body(BALL), hierarchy: Some(BOXES.view());
     LENSED = ball(BODY), camera: CAMERA.with_lens(LENS);
     DISPLAY = ball(BODY), tone: Tone::Display { gain: 0.9, lift: 0.05 };
     MIRROR = ball(Material::mirror(Rgb::grey(0.8)));
@@ -173,6 +176,7 @@ macro_rules! pairs {
             FADING, SPHERE, "";
             ZENITH, SPHERE, "";
             OFFSET, SPHERE, "";
+            IN_BOXES, SPHERE, "Line::meet";
             LENSED, SPHERE, "aperture_point";
             DISPLAY, SPHERE, "";
             MIRROR, SPHERE, "mirror";

@@ -40,13 +40,28 @@ fn constant(name: &str, bounces: usize) -> Program {
     Program { name: format!("`{name}`"), bounces, source }
 }
 
-/// A scene that is checked by the program, by a tracer for all effects. Which one it is does not show in the code.
+/// A scene that is checked and put in boxes by the program, by a tracer for all effects. Which one it is does not show in the
+/// code.
 fn at_run_time(bounces: usize) -> Program {
     let source = source(&format!(
         "number: f32, effects: whit::Effects::ALL, depth: {bounces}, media: 8, \
-         tracer: whit::Tracer::try_new(core::hint::black_box(&SCENE)).ok()?, bounces: {}",
+         tracer: whit::Tracer::try_new(in_boxes()?).ok()?, bounces: {}",
         rendered(bounces)
-    )) + "static SCENE: whit::Scene<'static, f32> = whit::scenes::GLASS;\n";
+    )) + "
+        use whit::scene::{Hierarchy, Leaf, Node};
+        static GIVEN: whit::Scene<'static, f32> = whit::scenes::GLASS;
+        static mut NODES: MaybeUninit<[Node; 8]> = MaybeUninit::uninit();
+        static mut LEAVES: MaybeUninit<[Leaf; 32]> = MaybeUninit::uninit();
+        static mut SCENE: MaybeUninit<whit::Scene<'static, f32>> = MaybeUninit::uninit();
+        #[inline(never)]
+        fn in_boxes() -> Option<&'static whit::Scene<'static, f32>> {
+            let (nodes, leaves) = unsafe { (&mut *(&raw mut NODES), &mut *(&raw mut LEAVES)) };
+            let (nodes, leaves) = (nodes.write([Node::EMPTY; 8]), leaves.write([Leaf::EMPTY; 32]));
+            let given = core::hint::black_box(&GIVEN);
+            let scene = given.with_hierarchy(Hierarchy::build(given, nodes, leaves).ok()?);
+            Some(unsafe { &mut *(&raw mut SCENE) }.write(scene))
+        }
+        ";
     Program { name: "any, at run time".to_owned(), bounces, source }
 }
 

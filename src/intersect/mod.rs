@@ -2,6 +2,7 @@
 
 mod axis_box;
 mod bounds;
+mod candidates;
 mod cone;
 mod fixed_point;
 mod hit;
@@ -13,11 +14,13 @@ mod sphere;
 mod spheres;
 mod surface;
 mod triangle;
+mod walk;
 
 pub(crate) use bounds::{Bounds, clearance, may_meet};
+pub(crate) use candidates::Candidates;
 pub(crate) use hit::Hit;
 pub use intersection::{Destination, Intersection};
 pub(crate) use ray::Contact;
 pub use ray::Ray;
-pub(crate) use search::{Wanted, encloses, meets, search};
+pub(crate) use search::{Wanted, encloses, meets, search, search_scene};
 pub(crate) use surface::{Located, Surface};

@@ -3,9 +3,10 @@
 use core::slice;
 
 use super::triangle::Shear;
+use super::walk::walk;
 use super::{Contact, Hit, Ray, axis_box, cone, plane, sphere, spheres, triangle};
 use crate::math::Real;
-use crate::scene::{Effects, Object, Shadow, Shape, Sides, SmoothTriangle, Triangle};
+use crate::scene::{Effects, Hierarchy, Leaf, Object, Scene, Shadow, Shape, Sides, SmoothTriangle, Triangle};
 
 /// What a search is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -42,6 +43,70 @@ pub(crate) fn search<'a, T: Real, const EFFECTS: u64>(
         }
     }
     best
+}
+
+/// The same in a scene, by its hierarchy if it has one.
+#[inline]
+pub(crate) fn search_scene<'a, T: Real, const EFFECTS: u64>(
+    scene: &Scene<'a, T>,
+    ray: &Ray<T>,
+    limit: T,
+    wanted: Wanted,
+) -> Option<Hit<'a, T>> {
+    match &scene.hierarchy {
+        Some(hierarchy) if has::<EFFECTS>(Effects::HIERARCHY) => {
+            search_hierarchy::<T, EFFECTS>(scene.objects, hierarchy, ray, limit, wanted)
+        }
+        _ => search::<T, EFFECTS>(scene.objects, ray, limit, wanted),
+    }
+}
+
+/// The contact that a search through the list finds, whatever the order in which contacts are found.
+fn search_hierarchy<'a, T: Real, const EFFECTS: u64>(
+    objects: &'a [Object<'a, T>],
+    hierarchy: &Hierarchy<'a>,
+    ray: &Ray<T>,
+    limit: T,
+    wanted: Wanted,
+) -> Option<Hit<'a, T>> {
+    let search = Search::<T, EFFECTS>::new(ray, wanted == Wanted::Shadow);
+    let (mut best, mut place) = (None::<Hit<'a, T>>, (0, 0));
+    let mut look = |leaf: &Leaf| {
+        // What is as near, by rounding, may come first in the list.
+        let reach = best.as_ref().map_or(limit, |hit| limit.min(hit.contact.t.raised(33.0)));
+        let object = objects.get(leaf.object as usize).filter(|object| is_wanted::<T, EFFECTS>(object, wanted));
+        let Some(object) = object else { return Some(reach) };
+        let Some((contact, primitive, weights)) = search.part(object, leaf.part as usize, reach) else {
+            return Some(reach);
+        };
+        let found = (leaf.object, primitive);
+        if best.as_ref().is_none_or(|best| comes_first(&contact, found, &best.contact, place)) {
+            best = Some(Hit { object, primitive, weights, contact });
+            place = found;
+        }
+        if search.any { None } else { Some(reach.min(contact.t.raised(33.0))) }
+    };
+    let unbounded = hierarchy.leaves.iter().take(hierarchy.unbounded);
+    let mut reach = Some(limit);
+    for leaf in unbounded {
+        reach = look(leaf);
+        if reach.is_none() {
+            break;
+        }
+    }
+    if let Some(reach) = reach {
+        walk(hierarchy, ray, reach, look);
+    }
+    best
+}
+
+/// Whether a contact is the one to be seen, and not the other: within an object the nearer one, or of two as near the first; of
+/// two objects the nearer one, or of two as near to 32 roundings the first.
+fn comes_first<T: Real>(one: &Contact<T>, place: (u32, usize), other: &Contact<T>, other_place: (u32, usize)) -> bool {
+    if place.0 == other_place.0 {
+        return one.t < other.t || (one.t == other.t && place.1 < other_place.1);
+    }
+    one.t < other.t.lowered(32.0) || (place.0 < other_place.0 && one.t.lowered(32.0) <= other.t)
 }
 
 #[inline]
@@ -95,6 +160,26 @@ impl<'r, T: Real, const EFFECTS: u64> Search<'r, T, EFFECTS> {
     fn new(ray: &'r Ray<T>, any: bool) -> Self {
         let shear = if has::<EFFECTS>(Self::TRIANGLES) { Some(Shear::new(ray.direction)) } else { None };
         Self { ray, shear, any }
+    }
+
+    /// The contact with one part of an object, as of [`Leaf`].
+    #[inline]
+    fn part(&self, object: &Object<'_, T>, part: usize, limit: T) -> Option<(Contact<T>, usize, [T; 3])> {
+        let (ray, any) = (self.ray, self.any);
+        let outside_only = has::<EFFECTS>(Effects::ONE_SIDED) && object.sides == Sides::Outside;
+        match &object.shape {
+            Shape::Spheres(list) if has::<EFFECTS>(Effects::SPHERES) => {
+                let (contact, primitive) = spheres::intersect_cluster(list, part, ray, limit, outside_only, any)?;
+                Some((contact, primitive, [T::ZERO; 3]))
+            }
+            Shape::Triangles(list) if has::<EFFECTS>(Effects::TRIANGLES) => {
+                let triangle = list.get(part)?;
+                let (contact, weights) =
+                    triangle::intersect(&triangle.vertices, ray, &self.shear?, limit, outside_only)?;
+                Some((contact, part, weights))
+            }
+            _ => self.contact(object, limit),
+        }
     }
 
     /// The contact with one object and the primitive it belongs to.

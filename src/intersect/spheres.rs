@@ -19,17 +19,38 @@ pub(crate) fn intersect<T: Real>(
     let mut limit = limit;
     for (group, bounds) in list.bounds.iter().enumerate() {
         for lane in Lanes(near(bounds, ray, limit)) {
-            let number = group * LANES + lane;
-            let Some(cluster) = list.clusters.get(number) else { break };
-            for lane in Lanes(near(cluster, ray, limit)) {
-                let Some(sphere) = cluster.sphere(lane) else { break };
-                if let Some(contact) = sphere::intersect(&sphere, ray, limit, outside_only) {
-                    limit = contact.t;
-                    best = Some((contact, number * LANES + lane));
-                    if any {
-                        return best;
-                    }
+            if let Some(found) = intersect_cluster(list, group * LANES + lane, ray, limit, outside_only, any) {
+                limit = found.0.t;
+                best = Some(found);
+                if any {
+                    return best;
                 }
+            }
+        }
+    }
+    best
+}
+
+/// The same with one cluster of a list, by its number.
+#[inline]
+pub(crate) fn intersect_cluster<T: Real>(
+    list: &SphereList<'_, T>,
+    number: usize,
+    ray: &Ray<T>,
+    limit: T,
+    outside_only: bool,
+    any: bool,
+) -> Option<(Contact<T>, usize)> {
+    let mut best = None;
+    let mut limit = limit;
+    let cluster = list.clusters.get(number)?;
+    for lane in Lanes(near(cluster, ray, limit)) {
+        let Some(sphere) = cluster.sphere(lane) else { break };
+        if let Some(contact) = sphere::intersect(&sphere, ray, limit, outside_only) {
+            limit = contact.t;
+            best = Some((contact, number * LANES + lane));
+            if any {
+                break;
             }
         }
     }

@@ -85,6 +85,12 @@ pub trait Real:
         self * (Self::ONE - Self::from_f32(count) * Self::ROUNDOFF)
     }
 
+    /// This number with so many roundings of it added; `self ≥ 0`.
+    #[inline(always)]
+    fn raised(self, count: f32) -> Self {
+        self * (Self::ONE + Self::from_f32(count) * Self::ROUNDOFF)
+    }
+
     /// What rounding takes from a sum as large as this number, twice over; `self ≥ 0`.
     #[inline(always)]
     fn spacing(self) -> Self {

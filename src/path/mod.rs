@@ -19,7 +19,7 @@ pub(crate) use shadow::{Target, Way, has_bent_shadows, is_hidden, is_lit_straigh
 use straight::is_lit;
 pub(crate) use straight::{next_surface, next_tinted_surface};
 
-use crate::intersect::{Ray, Wanted, search};
+use crate::intersect::{Ray, Wanted, search_scene};
 use crate::math::Real;
 use crate::scene::{Effects, Index, Object, Scene};
 use around::Around;
@@ -37,7 +37,7 @@ pub(crate) struct Path<'p, 'a, T> {
     pub scene: &'p Scene<'a, T>,
     /// Of the medium that it starts in.
     pub index: Index<T>,
-    /// What it may meet.
+    /// What it may meet: the scene's objects, or nothing.
     pub objects: &'a [Object<'a, T>],
     pub wanted: Wanted,
     /// How far it goes.
@@ -62,10 +62,14 @@ impl<'p, 'a, T: Real> Path<'p, 'a, T> {
             (_, Some(profile)) if effects.has(Effects::GRADED) => {
                 Journey { around, profile, distance: T::ZERO, limit }.follow::<EFFECTS>(*ray, steps)
             }
-            _ => match search::<T, EFFECTS>(objects, ray, limit, wanted) {
-                Some(hit) => Arrival::Surface(Landing::straight(hit, ray, T::ZERO)),
-                None => Arrival::at_limit(limit, Ray { origin: ray.at(limit), ..*ray }),
-            },
+            _ => {
+                let hit =
+                    if objects.is_empty() { None } else { search_scene::<T, EFFECTS>(self.scene, ray, limit, wanted) };
+                match hit {
+                    Some(hit) => Arrival::Surface(Landing::straight(hit, ray, T::ZERO)),
+                    None => Arrival::at_limit(limit, Ray { origin: ray.at(limit), ..*ray }),
+                }
+            }
         }
     }
 }

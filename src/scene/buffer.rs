@@ -224,6 +224,7 @@ impl<T: Real, const OBJECTS: usize, const LIGHTS: usize, const PROFILES: usize> 
             black_hole: self.black_hole,
             shadow_rays: self.shadow_rays,
             offset: self.offset,
+            hierarchy: None,
         }
     }
 }

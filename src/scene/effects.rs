@@ -148,6 +148,8 @@ effects! {
     BENT_SHADOWS = 61, "bent-shadows";
     /// Rays that start at a fixed distance from the surfaces that they leave.
     FIXED_OFFSET = 62, "fixed-offset";
+    /// [`Hierarchy`](super::Hierarchy)
+    HIERARCHY = 63, "hierarchy";
 }
 
 impl Effects {

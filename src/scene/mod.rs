@@ -5,6 +5,7 @@ mod buffer;
 mod camera;
 mod effects;
 mod film;
+mod hierarchy;
 mod interface;
 mod light;
 mod material;
@@ -26,6 +27,8 @@ pub use buffer::{Full, SceneBuf, SceneStore};
 pub use camera::{Aperture, Camera, Extent, Lens};
 pub use effects::Effects;
 pub use film::{Film, Spectrum, Thickness};
+pub(crate) use hierarchy::{Child, LEVELS, WIDTH};
+pub use hierarchy::{Hierarchy, HierarchyBuf, Leaf, Node};
 pub use interface::{Fresnel, Interface};
 pub use light::{Emitter, Falloff, Light};
 pub use material::{Balance, Body, Exponent, Highlight, Lobe, Material};
@@ -68,6 +71,8 @@ pub struct Scene<'a, T> {
     pub shadow_rays: ShadowRays,
     /// How far from a surface the next ray starts.
     pub offset: Offset<T>,
+    /// Boxes around the objects, for scenes of many.
+    pub hierarchy: Option<Hierarchy<'a>>,
 }
 
 /// From light to the values of pixels.
@@ -99,13 +104,20 @@ impl<'a, T: Real> Scene<'a, T> {
             black_hole: None,
             shadow_rays: ShadowRays::Straight,
             offset: Offset::Bounded,
+            hierarchy: None,
         }
     }
 
-    /// The same scene with these objects.
+    /// The same scene with these objects, and no hierarchy.
     #[must_use]
     pub const fn with_objects(self, objects: &'a [Object<'a, T>]) -> Self {
-        Self { objects, ..self }
+        Self { objects, hierarchy: None, ..self }
+    }
+
+    /// The same scene with a hierarchy around its objects.
+    #[must_use]
+    pub const fn with_hierarchy(self, hierarchy: Hierarchy<'a>) -> Self {
+        Self { hierarchy: Some(hierarchy), ..self }
     }
 
     /// The same scene with these lights.

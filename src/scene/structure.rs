@@ -33,6 +33,9 @@ impl<T> Scene<'_, T> {
         if matches!(self.offset, Offset::Fixed(_)) {
             effects = effects.with(Effects::FIXED_OFFSET);
         }
+        if self.hierarchy.is_some() {
+            effects = effects.with(Effects::HIERARCHY);
+        }
         effects = effects.with(self.medium.effects());
         let mut i = 0;
         while i < self.objects.len() {
@@ -45,6 +48,19 @@ impl<T> Scene<'_, T> {
             i += 1;
         }
         effects.with(self.bending())
+    }
+
+    /// How many parts the objects have in a [`Hierarchy`](super::Hierarchy): each triangle of a list, eight packed spheres, and
+    /// what else is one object.
+    #[must_use]
+    #[allow(clippy::indexing_slicing)] // In range by the loop's condition; iterators are not const.
+    pub const fn parts(&self) -> usize {
+        let (mut count, mut i) = (0, 0);
+        while i < self.objects.len() {
+            count += self.objects[i].parts();
+            i += 1;
+        }
+        count
     }
 
     /// What bends light.

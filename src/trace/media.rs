@@ -2,7 +2,7 @@
 
 use core::ptr;
 
-use crate::intersect::{Hit, Ray, encloses, meets};
+use crate::intersect::{Candidates, Hit, Ray, encloses, meets};
 use crate::math::{Real, Rgb};
 use crate::optics::transmittance;
 use crate::scene::{Effects, Index, Medium, Object, Scene};
@@ -45,7 +45,8 @@ impl<const MEDIA: usize> Media<MEDIA> {
     /// The media that the origin of a ray lies in, and whether there was no room for one of them.
     pub(super) fn around<T: Real, const EFFECTS: u64>(scene: &Scene<'_, T>, ray: &Ray<T>) -> (Self, bool) {
         let (mut media, mut overflow) = (Self::NONE, false);
-        if MEDIA > 0 {
+        // A hierarchy knows where there is nothing to be inside of.
+        if MEDIA > 0 && scene.hierarchy.is_none_or(|hierarchy| hierarchy.has_media) {
             for (number, object) in (0..FREE).zip(scene.objects) {
                 if object.material.interface.medium().is_some() && encloses::<T, EFFECTS>(object, ray) {
                     overflow |= !media.enter(scene, number);
@@ -109,7 +110,9 @@ impl<const MEDIA: usize> Media<MEDIA> {
     ) -> (Self, bool) {
         let &Crossing { hit, ray, reach } = crossing;
         let (mut media, mut overflow) = (*self, false);
-        for (number, object) in (0..FREE).zip(scene.objects) {
+        let candidates = Candidates::new::<T, EFFECTS>(scene, ray, hit.contact.t + reach);
+        for number in candidates.iter() {
+            let Some(object) = scene.objects.get(usize::from(number)) else { break };
             let front = if ptr::eq(object, hit.object) {
                 Some(hit.contact.front())
             } else if object.material.interface.medium().is_some() && look_at(object) {

@@ -69,6 +69,10 @@ impl<Frac: LeEqU32 + 'static> Real for Q<Frac> {
         self - Self::from_bits(count as i32 / 2)
     }
     #[inline(always)]
+    fn raised(self, count: f32) -> Self {
+        self.plus(Self::from_bits(count as i32 / 2 + 1))
+    }
+    #[inline(always)]
     fn spacing(self) -> Self {
         Self::from_bits(2)
     }

@@ -13,7 +13,7 @@ mod shape;
 
 pub use error::{Place, SceneError};
 
-use super::{Background, Index, Material, Medium, Object, Offset, Scene, Shadow, Tone};
+use super::{Background, Hierarchy, Index, Material, Medium, Object, Offset, Scene, Shadow, Tone};
 use crate::math::{Range, Real};
 use material::attenuation;
 pub(super) use number::color;
@@ -40,6 +40,9 @@ impl Scene<'_, f32> {
             }
         }
         if let Err((field, expected)) = check_count(self.objects.len()) {
+            return Err(SceneError { place: Place::Scene, field, expected });
+        }
+        if let Err((field, expected)) = check_hierarchy(&self.hierarchy, self.parts()) {
             return Err(SceneError { place: Place::Scene, field, expected });
         }
         let mut i = 0;
@@ -133,6 +136,7 @@ impl<T: Real> Scene<'_, T> {
             positive(distance.to_f32(), "offset").map_err(at(Place::Scene))?;
         }
         check_count(self.objects.len()).map_err(at(Place::Scene))?;
+        check_hierarchy(&self.hierarchy, self.parts()).map_err(at(Place::Scene))?;
         for (i, object) in self.objects.iter().enumerate() {
             let mut index = 0;
             while let Some(part) = object.shape.part(index, T::to_f32) {
@@ -185,6 +189,14 @@ impl<T: Real> Scene<'_, T> {
 /// Objects are remembered by 16-bit numbers.
 const fn check_count(objects: usize) -> Result<(), Fault> {
     check(objects < u16::MAX as usize, "objects", "at most 65534 objects")
+}
+
+const fn check_hierarchy(hierarchy: &Option<Hierarchy<'_>>, parts: usize) -> Result<(), Fault> {
+    let is_of_these = match hierarchy {
+        Some(hierarchy) => hierarchy.leaves.len() == parts,
+        None => true,
+    };
+    check(is_of_these, "hierarchy", "one that was built of these objects")
 }
 
 const fn check_surroundings(background: &Background<f32>, tone: &Tone<f32>, medium: &Medium<f32>) -> Result<(), Fault> {

@@ -43,7 +43,7 @@ impl<T: Real> Order<'_, T> {
 
     /// Rays from the eye through some points of the picture. What they bring shows what a pixel would not, in which
     /// what is not a number is black.
-    fn eye_rays(&self) -> Vec<Ray<T>> {
+    pub(super) fn eye_rays(&self) -> Vec<Ray<T>> {
         let camera = self.scene.camera;
         let forward = (camera.target - camera.eye).normalized();
         let right = forward.cross(camera.up).normalized();

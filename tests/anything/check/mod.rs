@@ -3,6 +3,7 @@
 mod bound;
 mod canvas;
 mod frame;
+mod hierarchy;
 mod lines;
 mod nff;
 mod rendered;
@@ -125,6 +126,7 @@ impl<T: Real> Order<'_, T> {
         let outcome = self.check_frames(&tracer)?;
         if outcome == Outcome::Rendered {
             self.check_rays(&tracer)?;
+            self.check_hierarchy(&tracer)?;
             more(&tracer)?;
         }
         Ok(outcome)

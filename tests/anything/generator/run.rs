@@ -96,6 +96,7 @@ impl Run {
             black_hole: self.bending.black_hole,
             shadow_rays: self.bending.shadow_rays,
             offset: self.offset,
+            hierarchy: None,
         }
     }
 }
