@@ -4,10 +4,11 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches, Parser};
 use whit::render::{Sampling, Settings, Size};
 use whit::{Budget, Rgb, Termination};
 
+use crate::rows::{Rows, parse_part, parse_range};
 use crate::scene::{DEPTH, Source};
 use crate::setting::Share;
 use crate::tune::Seconds;
@@ -58,9 +59,6 @@ pub struct Arguments {
     /// Threads [default: one a core].
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     pub threads: usize,
-    /// Render only these rows, counted from the top; the picture holds no others.
-    #[arg(long, value_name = "A..B", value_parser = parse_rows)]
-    rows: Option<Range<u32>>,
     /// Print the counts of rays and cuts, and the time, as one JSON object.
     #[arg(long)]
     pub stats: bool,
@@ -70,11 +68,31 @@ pub struct Arguments {
     /// List the built-in scenes with the effects that each calls for.
     #[arg(long)]
     pub list: bool,
+    /// Render only these rows, counted from the top; the file holds no others.
+    #[arg(long, value_name = "A..B", value_parser = parse_range, help_heading = PARTS)]
+    rows: Option<Rows>,
+    /// Render the K-th of N nearly equal ranges of rows, K from 1 to N.
+    #[arg(long, value_name = "K/N", value_parser = parse_part, conflicts_with = "rows", help_heading = PARTS)]
+    part: Option<Rows>,
+    /// Make the whole picture of .exr files that hold its rows; goes with --output alone.
+    #[arg(long, value_name = "FILE", num_args = 1.., requires = "output", help_heading = PARTS)]
+    pub join: Option<Vec<PathBuf>>,
 }
 
+const PARTS: &str = "Parts of a picture";
+
 impl Arguments {
-    pub fn output_path(&self, source: &Source) -> PathBuf {
-        let default = || Path::new("target/render").join(source.name()).with_extension("png");
+    /// From the command line. Where parts are joined, nothing is left to ask for but the file.
+    pub fn read() -> Result<Self, clap::Error> {
+        let alone = |argument: clap::Arg| match argument.get_id().as_str() {
+            "join" | "output" => argument,
+            _ => argument.conflicts_with("join"),
+        };
+        Self::from_arg_matches(&Self::command().mut_args(alone).try_get_matches()?)
+    }
+
+    pub fn output_path(&self, name: &str) -> PathBuf {
+        let default = || Path::new("target/render").join(name).with_extension("png");
         self.output.clone().unwrap_or_else(default)
     }
 
@@ -83,13 +101,13 @@ impl Arguments {
     }
 
     /// The rows of a picture of that size.
-    pub fn rows_of(&self, size: Size) -> Range<u32> {
-        self.rows.clone().unwrap_or(0..size.height)
+    pub fn rows_of(&self, size: Size) -> Result<Range<u32>, String> {
+        self.rows.as_ref().or(self.part.as_ref()).unwrap_or(&Rows::All).of(size.height)
     }
 
     pub fn job(&self, source: &Source) -> Result<Job, String> {
         let size = self.size(source);
-        let rows = self.rows_of(size);
+        let rows = self.rows_of(size)?;
         let sampling = match (self.adaptive, self.samples) {
             (None, 1) => Sampling::Grid(1),
             (None, n) => Sampling::Sequence(n),
@@ -103,7 +121,7 @@ impl Arguments {
             termination: self.termination,
         };
         let settings = Settings { rows, sampling, budget, ..Settings::new(size.width, size.height) };
-        Job::new(settings, self.threads)
+        Ok(Job { settings, threads: self.threads })
     }
 }
 
@@ -133,13 +151,5 @@ fn parse_termination(text: &str) -> Result<Termination<f32>, String> {
     match channels.as_deref() {
         Ok(&[r, g, b]) => Ok(Termination::Color(Rgb::new(r, g, b))),
         _ => Err("expected background, black or three numbers R,G,B".to_owned()),
-    }
-}
-
-fn parse_rows(text: &str) -> Result<Range<u32>, String> {
-    let rows = text.split_once("..").and_then(|(a, b)| Some(a.parse().ok()?..b.parse().ok()?));
-    match rows {
-        Some(rows) if !rows.is_empty() => Ok(rows),
-        _ => Err("expected FIRST..END with FIRST below END, such as 0..240".to_owned()),
     }
 }

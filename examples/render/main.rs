@@ -5,19 +5,24 @@
 mod arguments;
 #[path = "../accuracy/code.rs"]
 mod code;
+mod description;
 #[allow(dead_code)] // The numbers were worked out before.
 #[path = "../accuracy/difference.rs"]
 mod difference;
 #[allow(dead_code)]
 #[path = "../accuracy/frontier.rs"]
 mod frontier;
+mod join;
 #[allow(dead_code, unused_imports)]
 #[path = "../accuracy/number_name.rs"]
 mod number_name;
 mod output;
+mod part;
+mod print;
 #[allow(dead_code)]
 #[path = "../accuracy/record.rs"]
 mod record;
+mod rows;
 mod scene;
 #[allow(dead_code)]
 #[path = "../accuracy/setting.rs"]
@@ -27,15 +32,18 @@ mod tune;
 mod tuner;
 mod work;
 
+use std::io::Write;
 use std::process::ExitCode;
 
 use arguments::Arguments;
-use clap::Parser;
+use description::Description;
+use part::Part;
+use print::print;
 
 fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let arguments = match Arguments::read() {
         Ok(arguments) => arguments,
-        Err(error) if error.use_stderr() => return fail(first_line(&error.to_string())),
+        Err(error) if error.use_stderr() => return fail(&in_one_line(&error.to_string())),
         Err(help) => help.exit(),
     };
     match run(&arguments) {
@@ -45,38 +53,48 @@ fn main() -> ExitCode {
 }
 
 fn fail(message: &str) -> ExitCode {
-    eprintln!("render: {message}");
+    // Whether anyone reads it or not.
+    let _ = writeln!(std::io::stderr(), "render: {message}");
     ExitCode::from(2)
 }
 
 /// What is wrong, without the usage that follows it.
-fn first_line(message: &str) -> &str {
-    message.split("\n\n").next().unwrap_or(message).trim_start_matches("error: ")
+fn in_one_line(message: &str) -> String {
+    let fault = message.split("\n\n").next().unwrap_or(message).trim_start_matches("error: ");
+    fault.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 fn run(arguments: &Arguments) -> Result<(), String> {
     if arguments.list {
-        for (name, scene) in whit::scenes::ALL {
-            println!("{name:10} {}", scene.effects());
-        }
-        return Ok(());
+        return whit::scenes::ALL.iter().try_for_each(|(name, scene)| print(&format!("{name:10} {}", scene.effects())));
     }
+    if let Some(parts) = &arguments.join {
+        return join::join(parts, &arguments.output_path("joined"));
+    }
+    render(arguments)
+}
+
+fn render(arguments: &Arguments) -> Result<(), String> {
     let source = scene::Source::open(&arguments.scene)?;
     let job = match tune::job(arguments, &source)? {
         Some(job) => job,
         None => arguments.job(&source)?,
     };
-    let picture_file = output::Target::new(&arguments.output_path(&source))?;
+    let picture_file = output::Target::new(&arguments.output_path(source.name()))?;
     let dropped_file = arguments.dropped.as_deref().map(output::Target::new).transpose()?;
     let started = std::time::Instant::now();
     let picture = source.render(&job)?;
     let seconds = started.elapsed().as_secs_f64();
-    picture_file.write(picture.width, &picture.pixels, source.encoding())?;
+    let settings = &job.settings;
+    let description = Description::new(&source, settings);
+    let part = Part { size: settings.size, rows: settings.rows.clone(), description };
+    picture_file.write(&part, &picture.pixels)?;
     if let Some(file) = dropped_file {
-        file.write(picture.width, &picture.dropped, whit::render::Encoding::Srgb)?;
+        let description = part.description.of_dropped();
+        file.write(&Part { description, ..part }, &picture.dropped)?;
     }
     if arguments.stats {
-        println!("{}", work::stats_as_json(&picture.stats, seconds));
+        print(&work::stats_as_json(&picture.stats, seconds).to_string())?;
     }
     Ok(())
 }

@@ -1,11 +1,12 @@
 //! Pictures on disk.
 
-use std::io::{BufWriter, Write};
+use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
 
-use image::{DynamicImage, ImageFormat, Rgb32FImage, RgbImage};
+use image::{ImageFormat, RgbImage};
 use whit::Rgb;
-use whit::render::Encoding;
+
+use crate::part::Part;
 
 /// A file that will be written at once, or not at all.
 pub struct Target {
@@ -42,36 +43,36 @@ impl Target {
         }
     }
 
-    /// Writes linear or display values: 8-bit encoded to a PNG, as they are to an EXR.
-    pub fn write(&self, width: u32, pixels: &[Rgb<f32>], encoding: Encoding) -> Result<(), String> {
-        let height = (pixels.len() / width as usize) as u32;
-        let picture = match self.format {
-            ImageFormat::Png => {
-                let bytes = pixels.iter().flat_map(|&color| encoding.encode8(color)).collect();
-                RgbImage::from_raw(width, height, bytes).map(DynamicImage::from)
-            }
-            _ => {
-                let values = pixels.iter().flat_map(|color| [color.r, color.g, color.b]).collect();
-                Rgb32FImage::from_raw(width, height, values).map(DynamicImage::from)
-            }
+    /// Writes the part's rows: 8-bit encoded to a PNG; as they are, with what they are of, to an EXR.
+    pub fn write(&self, part: &Part, pixels: &[Rgb<f32>]) -> Result<(), String> {
+        let contents = match self.format {
+            ImageFormat::Png => to_png(part, pixels),
+            _ => part.to_exr(pixels),
         };
-        let picture = picture.ok_or("the picture is incomplete")?;
-        self.replace(&picture).map_err(|problem| format!("{}: {problem}", self.path.display()))
+        contents
+            .and_then(|contents| self.replace(&contents))
+            .map_err(|problem| format!("{}: {problem}", self.path.display()))
     }
 
     /// Writes a file beside the target and gives it the target's name when it is complete.
-    fn replace(&self, picture: &DynamicImage) -> Result<(), String> {
+    fn replace(&self, contents: &[u8]) -> Result<(), String> {
         let mut builder = tempfile::Builder::new();
         builder.prefix(".render-").suffix(".partial");
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         let mut file = builder.tempfile_in(self.folder()).map_err(|error| error.to_string())?;
-        let mut buffer = std::io::Cursor::new(Vec::new());
-        picture.write_to(&mut buffer, self.format).map_err(|error| error.to_string())?;
-        let mut writer = BufWriter::new(&mut file);
-        writer.write_all(buffer.get_ref()).and_then(|()| writer.flush()).map_err(|error| error.to_string())?;
-        drop(writer);
+        file.write_all(contents).map_err(|error| error.to_string())?;
         file.persist(&self.path).map_err(|error| error.to_string())?;
         Ok(())
     }
+}
+
+fn to_png(part: &Part, pixels: &[Rgb<f32>]) -> Result<Vec<u8>, String> {
+    let encoding = part.description.encoding().ok_or("it is not known how its values become those of a display")?;
+    let bytes = pixels.iter().flat_map(|&color| encoding.encode8(color)).collect();
+    let picture =
+        RgbImage::from_raw(part.size.width, part.rows.len() as u32, bytes).ok_or("the picture is incomplete")?;
+    let mut file = Cursor::new(Vec::new());
+    picture.write_to(&mut file, ImageFormat::Png).map_err(|error| error.to_string())?;
+    Ok(file.into_inner())
 }

@@ -13,7 +13,7 @@ pub const DEPTH: usize = 128;
 
 pub enum Source {
     BuiltIn { name: &'static str, scene: Scene<'static, f32> },
-    File { name: String, size: Size, scene: FileScene },
+    File { name: String, identity: String, size: Size, scene: FileScene },
 }
 
 /// Traces a built-in scene by code for just its own effects.
@@ -41,13 +41,22 @@ impl Source {
         let mut scene = FileScene::default();
         let summary = nff::read_bytes(&text, &mut scene).map_err(|error| format!("{name}: {error}"))?;
         let name = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-        Ok(Self::File { name, size: summary.size, scene })
+        let identity = format!("a file of {} bytes with CRC-32 {:08x}", text.len(), crc32fast::hash(&text));
+        Ok(Self::File { name, identity, size: summary.size, scene })
     }
 
     pub fn name(&self) -> &str {
         match self {
             Self::BuiltIn { name, .. } => name,
             Self::File { name, .. } => name,
+        }
+    }
+
+    /// Which scene it is, wherever it is kept.
+    pub fn identity(&self) -> String {
+        match self {
+            Self::BuiltIn { name, .. } => (*name).to_owned(),
+            Self::File { identity, .. } => identity.clone(),
         }
     }
 

@@ -7,6 +7,7 @@ use whit::render::{Settings, Size};
 
 use crate::arguments::Arguments;
 use crate::code;
+use crate::print::print;
 use crate::record::{self, Record};
 use crate::scene::Source;
 use crate::setting::Setting;
@@ -45,10 +46,10 @@ pub fn job(arguments: &Arguments, source: &Source) -> Result<Option<Job>, String
         None => format!("{cost:.2} times the time of the default"),
     };
     let picked = pick(of_scene, |record| record.time, in_words, wish).map_err(|error| format!("{name}: {error}"))?;
-    println!("{}", picked.reasons(in_words));
-    println!("{}", code::of(&picked.record.setting, name));
+    print(&picked.reasons(in_words))?;
+    print(&code::of(&picked.record.setting, name))?;
     let settings = picked.record.setting.for_picture(size.width, size.height);
-    Job::new(Settings { rows: arguments.rows_of(size), ..settings }, arguments.threads).map(Some)
+    Ok(Some(Job { settings: Settings { rows: arguments.rows_of(size)?, ..settings }, threads: arguments.threads }))
 }
 
 /// Whether this program has a tracer for it: in `f32`, of the scene as it is.
@@ -59,7 +60,8 @@ fn is_had_here(setting: &Setting) -> bool {
 /// Seconds for a picture by the default setting, from a picture of a sixteenth of the pixels, the least of three.
 fn time_of_default(arguments: &Arguments, source: &Source, size: Size) -> Result<f64, String> {
     let small = Size::new(size.width.div_ceil(4), size.height.div_ceil(4));
-    let job = Job::new(Setting::DEFAULT.for_picture(small.width, small.height), arguments.threads)?;
+    let settings = Setting::DEFAULT.for_picture(small.width, small.height);
+    let job = Job { settings, threads: arguments.threads };
     let mut least = f64::INFINITY;
     for _ in 0..3 {
         let started = Instant::now();

@@ -10,27 +10,16 @@ use whit::{Rgb, Stats, Tracer};
 
 /// What is to be done.
 pub struct Job {
-    settings: Settings<f32>,
-    threads: usize,
+    pub settings: Settings<f32>,
+    pub threads: usize,
 }
 
 /// What came of it.
 pub struct Picture {
-    pub width: u32,
     pub pixels: Vec<Rgb<f32>>,
     /// The throughput that was cut.
     pub dropped: Vec<Rgb<f32>>,
     pub stats: Stats,
-}
-
-impl Job {
-    pub fn new(settings: Settings<f32>, threads: usize) -> Result<Self, String> {
-        let (rows, height) = (&settings.rows, settings.size.height);
-        if rows.end > height {
-            return Err(format!("--rows {}..{}: the picture has {height} rows", rows.start, rows.end));
-        }
-        Ok(Self { settings, threads })
-    }
 }
 
 /// Traces the rows of a job, each as a frame of its own, on as many threads as there are cores or were asked for.
@@ -40,8 +29,8 @@ pub fn trace<const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize>(
 ) -> Result<Picture, String> {
     let width = job.settings.size.width as usize;
     let count = job.settings.rows.len() * width;
-    let mut pixels = black(count)?;
-    let mut dropped = black(count)?;
+    let room = || black(count).map_err(|problem| format!("--size: {problem}"));
+    let (mut pixels, mut dropped) = (room()?, room()?);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(job.threads).build().map_err(|error| error.to_string())?;
     let bar = progress_bar(job.settings.rows.len());
     let stats = pool.install(|| {
@@ -56,7 +45,7 @@ pub fn trace<const EFFECTS: u64, const DEPTH: usize, const MEDIA: usize>(
         rows.zip(places).map(row).try_reduce(Stats::default, |a, b| Ok(a.plus(b)))
     });
     bar.finish_and_clear();
-    Ok(Picture { width: width as u32, pixels, dropped, stats: stats? })
+    Ok(Picture { pixels, dropped, stats: stats? })
 }
 
 fn trace_row<'a, const EFFECTS: u64, const DEPTH: usize, O: whit::trace::Observer, const MEDIA: usize>(
@@ -82,9 +71,9 @@ fn set(pixels: &mut [Rgb<f32>], x: u32, color: Rgb<f32>) {
     }
 }
 
-fn black(count: usize) -> Result<Vec<Rgb<f32>>, String> {
+pub fn black(count: usize) -> Result<Vec<Rgb<f32>>, String> {
     let mut pixels = Vec::new();
-    pixels.try_reserve_exact(count).map_err(|_| format!("--size: there is no memory for {count} pixels"))?;
+    pixels.try_reserve_exact(count).map_err(|_| format!("there is no memory for {count} pixels"))?;
     pixels.resize(count, Rgb::BLACK);
     Ok(pixels)
 }
