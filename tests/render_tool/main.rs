@@ -2,39 +2,14 @@
 #![cfg(all(unix, feature = "nff"))]
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
-use std::sync::OnceLock;
+mod parts;
+mod refusals;
+mod tool;
 
-/// The tool, built if it is not there yet.
-fn tool() -> &'static Path {
-    static TOOL: OnceLock<PathBuf> = OnceLock::new();
-    TOOL.get_or_init(|| {
-        let built = Command::new(env!("CARGO")).args(["build", "--example", "render"]).status().unwrap();
-        assert!(built.success());
-        let test = std::env::current_exe().unwrap();
-        test.ancestors().nth(2).unwrap().join("examples/render")
-    })
-}
+use std::path::Path;
+use std::process::Command;
 
-fn run(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(tool()).current_dir(folder).args(arguments).output().unwrap()
-}
-
-/// A folder of its own with a file from the tests' data.
-fn folder() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/nff/balls_s1.nff");
-    std::fs::copy(data, folder.path().join("balls.nff")).unwrap();
-    folder
-}
-
-fn files(folder: &Path) -> Vec<String> {
-    let names = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut names: Vec<_> = names.collect();
-    names.sort();
-    names
-}
+use tool::{files, folder, run, tool};
 
 #[test]
 fn default_is_a_picture_of_the_showcase() {
@@ -88,12 +63,12 @@ fn by_the_library(file: &Path) -> Vec<f32> {
 fn rows_and_threads_make_the_same_picture() {
     let folder = folder();
     let size = ["card", "--size", "24x20", "--samples", "4"];
-    for extra in [&["-o", "whole.exr", "--threads", "1"][..], &["-o", "low.exr", "--rows", "12..20", "--threads", "3"]]
+    for extra in [&["-o", "whole.png", "--threads", "1"][..], &["-o", "low.png", "--rows", "12..20", "--threads", "3"]]
     {
         assert!(run(folder.path(), &[&size[..], extra].concat()).status.success());
     }
-    let open = |name: &str| image::open(folder.path().join(name)).unwrap().into_rgb32f();
-    let (whole, low) = (open("whole.exr"), open("low.exr"));
+    let open = |name: &str| image::open(folder.path().join(name)).unwrap().into_rgb8();
+    let (whole, low) = (open("whole.png"), open("low.png"));
     assert_eq!(low.dimensions(), (24, 8));
     assert_eq!(low.as_raw()[..], whole.as_raw()[24 * 12 * 3..]);
 }
@@ -105,6 +80,26 @@ fn list_names_scenes_and_effects() {
     let lines: Vec<_> = text.lines().collect();
     assert_eq!(lines.len(), whit::scenes::ALL.len());
     assert!(lines[0].starts_with("showcase") && lines[0].contains("dielectric"), "{text}");
+}
+
+/// Whoever reads one line and goes away gets no complaint; a full disk is one.
+#[test]
+fn closed_pipe_ends_quietly() {
+    let folder = folder();
+    let small = ["--size", "8x6", "--samples", "1", "-o", "x.png", "--stats"];
+    for arguments in [&["--list"][..], &["--help"], &small] {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let output = Command::new(tool()).current_dir(folder.path()).args(arguments).stdout(writer).output().unwrap();
+        assert!(output.status.success() && output.stderr.is_empty(), "{arguments:?}: {output:?}");
+    }
+    assert!(files(folder.path()).contains(&"x.png".to_owned()));
+    if let Ok(full) = std::fs::File::create("/dev/full") {
+        let output = Command::new(tool()).arg("--list").stdout(full).output().unwrap();
+        assert_eq!(output.status.code(), Some(2));
+        let text = String::from_utf8(output.stderr).unwrap();
+        assert!(text.starts_with("render: the standard output: No space left"), "{text}");
+    }
 }
 
 #[test]
@@ -130,7 +125,7 @@ fn bad_input_is_one_clear_line() {
     let before = files(at);
     let names = whit::scenes::ALL.map(|(name, _)| name).join(", ");
     let unknown = format!("scene `teapot`: expected one of {names}, or a path to an .nff file");
-    let cases: [(&[&str], &str); 16] = [
+    let cases: [(&[&str], &str); 20] = [
         (&["teapot"], &unknown),
         (&["nowhere.nff"], "nowhere.nff: No such file"),
         (&["broken.nff", "-o", "old.png"], "broken.nff: line 2: expected a number for `z`, found `x`"),
@@ -143,6 +138,10 @@ fn bad_input_is_one_clear_line() {
         (&["--termination", "1,2"], "expected background, black or three numbers R,G,B"),
         (&["--rows", "5..5"], "expected FIRST..END with FIRST below END"),
         (&["--rows", "470..490", "-o", "old.png"], "--rows 470..490: the picture has 480 rows"),
+        (&["--part", "0/4"], "expected NUMBER/COUNT with NUMBER from 1 to COUNT, such as 3/8"),
+        (&["--part", "5/4"], "expected NUMBER/COUNT with NUMBER from 1 to COUNT, such as 3/8"),
+        (&["--part", "1/481", "-o", "old.png"], "--part 1/481: the picture has 480 rows"),
+        (&["--part", "1/4", "--rows", "0..9"], "'--part <K/N>' cannot be used with '--rows <A..B>'"),
         (&["-o", "picture.jpg"], "picture.jpg: expected a name that ends in .png or .exr"),
         (&["-o", "missing/x.png"], "missing/x.png: the folder does not exist"),
         (&["--frobnicate"], "unexpected argument '--frobnicate' found"),
