@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use whit::render::{Encoding, Size};
-use whit::scene::{Full, SceneStore, nff};
+use whit::scene::{Full, Hierarchy, Leaf, Node, SceneStore, nff};
 use whit::{Background, Camera, Effects, Light, Object, Scene, Tracer, scenes};
 
 use crate::work::{Job, Picture, trace};
@@ -83,8 +83,13 @@ impl Source {
                 MIRAGE SHIP SUNSET LENSES HOLE
             ),
             Self::File { scene, .. } => {
+                const EFFECTS: u64 = nff::EFFECTS.with(Effects::HIERARCHY).bits();
                 let scene = scene.as_scene().ok_or("the file was not read")?;
-                let tracer = Tracer::<f32, { Effects::ALL.bits() }, DEPTH>::try_new(&scene);
+                let mut nodes = vec![Node::EMPTY; Hierarchy::nodes(scene.parts())];
+                let mut leaves = vec![Leaf::EMPTY; scene.parts()];
+                let hierarchy = Hierarchy::build(&scene, &mut nodes, &mut leaves).map_err(|full| full.to_string())?;
+                let scene = scene.with_hierarchy(hierarchy);
+                let tracer = Tracer::<f32, EFFECTS, DEPTH>::try_new(&scene);
                 trace(&tracer.map_err(|error| error.to_string())?, job)
             }
         }
