@@ -2,9 +2,11 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::indexing_slicing)]
 
 use fastrand::Rng;
+use whit::render::{LinearRgb, Sampling, Size};
 use whit::scene::{Hierarchy, HierarchyBuf, Leaf, Node, PackedSpheres, Sphere, Triangle};
 use whit::{
-    Background, Camera, Effects, Material, Object, Ray, Real, Rgb, Scene, SceneBuf, Shape, Tracer, Vec3, scenes,
+    Background, Camera, Effects, Frame, Material, Object, Ray, Real, Rgb, Scene, SceneBuf, Settings, Shape, Tracer,
+    Vec3, scenes,
 };
 
 const ALL: u64 = Effects::ALL.without(BENT).bits();
@@ -186,6 +188,26 @@ fn built_in_scenes() {
 #[test]
 fn documented_sizes_are_true() {
     assert_eq!((size_of::<Node>(), size_of::<Leaf>()), (104, 32));
+}
+
+/// Whole pictures, with shadows, and media that overlap.
+#[test]
+fn pictures_of_built_in_scenes() {
+    fn picture(scene: &Scene<'_, f32>) -> Vec<Rgb<f32>> {
+        let tracer = Tracer::<f32, { Effects::ALL.bits() }, 12, 8>::try_new(scene).unwrap();
+        let size = Size::new(32, 24);
+        let mut pixels = vec![Rgb::BLACK; size.pixels() as usize];
+        let settings = Settings::new(size.width, size.height).with_sampling(Sampling::Sequence(2));
+        let mut target = LinearRgb::new(size, &mut pixels).unwrap();
+        Frame::new(&tracer, settings).unwrap().render(&mut target).unwrap();
+        pixels
+    }
+    for (name, scene) in scenes::ALL {
+        let parts = scene.parts();
+        let (mut nodes, mut leaves) = (vec![Node::EMPTY; Hierarchy::nodes(parts)], vec![Leaf::EMPTY; parts]);
+        let with = scene.with_hierarchy(Hierarchy::build(&scene, &mut nodes, &mut leaves).unwrap());
+        assert!(picture(&scene) == picture(&with), "{name}");
+    }
 }
 
 /// What the compiler builds is what a program builds.
