@@ -40,6 +40,7 @@ impl Scaled {
                 profiles: &[],
                 black_hole: scene.black_hole.map(|hole| black_hole(hole, scale)),
                 shadow_rays: scene.shadow_rays,
+                hierarchy: None,
                 offset: match scene.offset {
                     Offset::Bounded => Offset::Bounded,
                     Offset::Fixed(distance) => Offset::Fixed(distance * scale),
