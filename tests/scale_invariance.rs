@@ -14,14 +14,17 @@ use scaled::Scaled;
 use whit::optics::{Band, bands, materials};
 use whit::render::{LinearRgb, Sampling, Size};
 use whit::scene::{
-    Aperture, Emitter, Exponent, Falloff, Film, Fresnel, Highlight, Lens, Lobe, Medium, Offset, PackedSpheres,
-    SmoothTriangle, Spectrum, Sphere, Thickness, Triangle,
+    Aperture, Emitter, Exponent, Falloff, Film, Fresnel, Hierarchy, HierarchyBuf, Highlight, Lens, Lobe, Medium,
+    Offset, PackedSpheres, SmoothTriangle, Spectrum, Sphere, Thickness, Triangle,
 };
 use whit::trace::Sequence;
 use whit::{
     Background, Camera, Effects, Frame, Interface, Light, Material, Object, Pattern, Ray, Rgb, Scene, Settings, Shape,
     Stats, Tone, Tracer, Vec3, scenes,
 };
+
+const PARTS: usize = scenes::SHOWCASE.parts();
+static BOXES: HierarchyBuf<{ Hierarchy::nodes(PARTS) }, PARTS> = HierarchyBuf::of(&scenes::SHOWCASE);
 
 const UP: Vec3<f32> = Vec3::new(0.0, 1.0, 0.0);
 
@@ -56,6 +59,7 @@ fn all_scenes() -> Vec<(&'static str, Scene<'static, f32>)> {
         ("every kind", every_kind[0]),
         ("every other kind", every_kind[1]),
         ("a fixed offset", scenes::SHOWCASE.with_offset(Offset::Fixed(1e-3))),
+        ("a hierarchy", scenes::SHOWCASE.with_hierarchy(BOXES.view())),
     ];
     scenes::ALL.into_iter().chain(more).collect()
 }

@@ -6,8 +6,9 @@
 #![allow(unreachable_pub, clippy::panic, clippy::unwrap_used)]
 
 use whit::scene::{
-    Annulus, Aperture, AxisBox, BlackHole, Cone, Disc, Emitter, Falloff, Film, Law, Lens, Level, Method, Offset,
-    PackedSpheres, Plane, Profile, SmoothTriangle, Sphere, SphereList, Steps, Thickness, Triangle,
+    Annulus, Aperture, AxisBox, BlackHole, Cone, Disc, Emitter, Falloff, Film, Hierarchy, Law, Leaf, Lens, Level,
+    Method, Node, Offset, PackedSpheres, Plane, Profile, SmoothTriangle, Sphere, SphereList, Steps, Thickness,
+    Triangle,
 };
 use whit::{Camera, Interface, Light, Material, Medium, Object, Pattern, Scene, Shape};
 
@@ -17,6 +18,8 @@ pub struct Scaled {
     objects: Vec<Object<'static, f32>>,
     lights: Vec<Light<f32>>,
     profiles: Vec<Profile<'static, f32>>,
+    /// Of the scaled objects, if the scene has one.
+    hierarchy: Option<Hierarchy<'static>>,
 }
 
 impl Scaled {
@@ -27,6 +30,13 @@ impl Scaled {
             material: material(object.material, scale),
             sides: object.sides,
             shadow: object.shadow,
+        });
+        let objects: Vec<_> = objects.collect();
+        let hierarchy = scene.hierarchy.map(|_| {
+            let boxed = scene.with_objects(&objects);
+            let (nodes, leaves) =
+                (vec![Node::EMPTY; Hierarchy::nodes(boxed.parts())], vec![Leaf::EMPTY; boxed.parts()]);
+            Hierarchy::build(&boxed, nodes.leak(), leaves.leak()).unwrap()
         });
         Self {
             rest: Scene {
@@ -46,14 +56,16 @@ impl Scaled {
                     Offset::Fixed(distance) => Offset::Fixed(distance * scale),
                 },
             },
-            objects: objects.collect(),
+            objects,
+            hierarchy,
             lights: scene.lights.iter().map(|one| light(*one, scale)).collect(),
             profiles: scene.profiles.iter().map(|one| profile(one, scale)).collect(),
         }
     }
 
     pub fn scene(&self) -> Scene<'_, f32> {
-        self.rest.with_objects(&self.objects).with_lights(&self.lights).with_profiles(&self.profiles)
+        let scene = self.rest.with_objects(&self.objects).with_lights(&self.lights).with_profiles(&self.profiles);
+        Scene { hierarchy: self.hierarchy, ..scene }
     }
 }
 
