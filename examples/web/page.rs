@@ -12,7 +12,9 @@ use crate::refusal::Refusal;
 use crate::{Number, converted, decode};
 
 /// All but those that no scene in the number type can have, so that they take no room in the module.
-const EFFECTS: u64 = if Number::IS_FIXED { Effects::ALL.without(BENT_LIGHT).bits() } else { Effects::ALL.bits() };
+const EFFECTS: u64 = if Number::IS_FIXED { LISTED.without(BENT_LIGHT).bits() } else { LISTED.bits() };
+/// The page searches lists of objects: it has no memory for a hierarchy.
+const LISTED: Effects = Effects::ALL.without(Effects::HIERARCHY);
 const BENT_LIGHT: Effects = Effects::HEIGHT_PROFILE
     .with(Effects::RADIUS_PROFILE)
     .with(Effects::POLYNOMIAL_LAW)

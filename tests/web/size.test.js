@@ -12,10 +12,10 @@ import { modules, serve } from "./server.js";
 
 /** The most bytes of each module. The aims are 32 KiB for `web` and 6 KiB for `web_card`, after wasm-opt. */
 const LIMITS = {
-  web: { plain: 168_000, optimised: 120_500 },
-  web_f64: { plain: 186_000, optimised: 136_000 },
-  web_fast: { plain: 175_000, optimised: 126_000 },
-  web_q20: { plain: 167_000, optimised: 117_500 },
+  web: { plain: 169_500, optimised: 121_500 },
+  web_f64: { plain: 187_500, optimised: 137_500 },
+  web_fast: { plain: 176_000, optimised: 127_500 },
+  web_q20: { plain: 167_500, optimised: 118_500 },
   web_nff: { plain: 61_500, optimised: 52_000 },
   web_card: { plain: 14_100, optimised: 11_600 },
 };
