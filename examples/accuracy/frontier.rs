@@ -11,7 +11,8 @@ pub struct Tolerance {
 ///
 /// From the cheapest on: of the points that cost the same, to the tolerance, the one of the least error; then the cheapest
 /// of those that are better than that one by more than the tolerance, and so on. Of points that are equal in both, to the
-/// tolerance, the first one of the list counts: put the plain ones first. So costs rise and errors fall along it, and no point is better than one of it by more than the tolerances.
+/// tolerance, the first one of the list counts: put the plain ones first. So costs rise and errors fall along it, and no point is
+/// better than one of it by more than the tolerances.
 pub fn frontier(points: &[(f64, f64)], tolerance: Tolerance) -> Vec<usize> {
     let mut frontier = Vec::new();
     let mut limit = f64::INFINITY;
@@ -31,8 +32,8 @@ pub fn frontier(points: &[(f64, f64)], tolerance: Tolerance) -> Vec<usize> {
     }
 }
 
-/// The cheapest point of a list, or the first one that costs as much to the tolerance, that is better than this one in cost or in error by more than the tolerance, and not worse in
-/// the other one.
+/// The cheapest point of a list, or the first one that costs as much to the tolerance, that is better than this one in cost or in
+/// error by more than the tolerance, and not worse in the other one.
 pub fn dominating(points: &[(f64, f64)], (cost, error): (f64, f64), tolerance: Tolerance) -> Option<usize> {
     let (less_cost, less_error) = (cost / (1.0 + tolerance.cost), error / (1.0 + tolerance.error));
     let better = |&(_, &(c, e)): &(usize, &(f64, f64))| c <= cost && e <= error && (c < less_cost || e < less_error);

@@ -1,4 +1,5 @@
-//! What of a scene itself is a choice between accuracy and time: the spectra of its films, the method of its bent paths, and where rays leave its surfaces.
+//! What of a scene itself is a choice between accuracy and time: the spectra of its films, the method of its bent paths, and where
+//! rays leave its surfaces.
 
 use whit::optics::{Band, bands};
 use whit::scene::{BlackHole, Film, Fresnel, Method, Offset, Profile, Spectrum, Steps};

@@ -70,43 +70,40 @@ fn search_hierarchy<'a, T: Real, const EFFECTS: u64>(
     wanted: Wanted,
 ) -> Option<Hit<'a, T>> {
     let search = Search::<T, EFFECTS>::new(ray, wanted == Wanted::Shadow);
-    let (mut best, mut place) = (None::<Hit<'a, T>>, (0, 0));
+    let (mut best, mut number, mut reach) = (None::<Hit<'a, T>>, 0, limit);
     let mut look = |leaf: &Leaf| {
-        // What is as near, by rounding, may come first in the list.
-        let reach = best.as_ref().map_or(limit, |hit| limit.min(hit.contact.t.raised(33.0)));
         let object = objects.get(leaf.object as usize).filter(|object| is_wanted::<T, EFFECTS>(object, wanted));
         let Some(object) = object else { return Some(reach) };
         let Some((contact, primitive, weights)) = search.part(object, leaf.part as usize, reach) else {
             return Some(reach);
         };
-        let found = (leaf.object, primitive);
-        if best.as_ref().is_none_or(|best| comes_first(&contact, found, &best.contact, place)) {
+        let is_first = |best: &Hit<'_, T>| {
+            let (one, other) = (contact.t, best.contact.t);
+            comes_first((leaf.object, primitive, one), (number, best.primitive, other))
+        };
+        if best.as_ref().is_none_or(is_first) {
             best = Some(Hit { object, primitive, weights, contact });
-            place = found;
+            number = leaf.object;
         }
-        if search.any { None } else { Some(reach.min(contact.t.raised(33.0))) }
+        // What is as near as the nearest, by rounding, may come first in the list.
+        reach = reach.min(contact.t.raised(33.0));
+        if search.any { None } else { Some(reach) }
     };
     let unbounded = hierarchy.leaves.iter().take(hierarchy.unbounded);
-    let mut reach = Some(limit);
-    for leaf in unbounded {
-        reach = look(leaf);
-        if reach.is_none() {
-            break;
-        }
-    }
-    if let Some(reach) = reach {
+    if let Some(reach) = unbounded.map(&mut look).try_fold(limit, |_, reach| reach) {
         walk(hierarchy, ray, reach, look);
     }
     best
 }
 
-/// Whether a contact is the one to be seen, and not the other: within an object the nearer one, or of two as near the first; of
-/// two objects the nearer one, or of two as near to 32 roundings the first.
-fn comes_first<T: Real>(one: &Contact<T>, place: (u32, usize), other: &Contact<T>, other_place: (u32, usize)) -> bool {
-    if place.0 == other_place.0 {
-        return one.t < other.t || (one.t == other.t && place.1 < other_place.1);
+/// Whether a contact is the one to be seen, and not the other; each is an object, a primitive of it, and a distance. Within an
+/// object it is the nearer one, or of two as near the first; of two objects the nearer one, or of two as near to 32 roundings the
+/// first.
+fn comes_first<T: Real>((object, primitive, t): (u32, usize, T), other: (u32, usize, T)) -> bool {
+    if object == other.0 {
+        return t < other.2 || (t == other.2 && primitive < other.1);
     }
-    one.t < other.t.lowered(32.0) || (place.0 < other_place.0 && one.t.lowered(32.0) <= other.t)
+    t < other.2.lowered(32.0) || (object < other.0 && t.lowered(32.0) <= other.2)
 }
 
 #[inline]

@@ -80,7 +80,11 @@ impl Line {
     fn add(&self, node: &Node, limit: f32, waiting: &mut [(Child, f32); MOST_WAITING], before: usize) -> usize {
         let near = self.meet(node, limit);
         let mut count = before;
-        for (child, near) in node.children.iter().zip(near).take(node.count()) {
+        for (child, near) in node.children.iter().zip(near) {
+            // Where there is no child, no more come; a box as wide as the slack would be met there.
+            if *child == Child::NONE {
+                break;
+            }
             if near > limit {
                 continue;
             }

@@ -62,12 +62,6 @@ impl Node {
         children: [Child::NONE; WIDTH],
     };
 
-    /// How many children there are.
-    #[inline(always)]
-    pub(crate) fn count(&self) -> usize {
-        self.children.iter().take_while(|child| **child != Child::NONE).count()
-    }
-
     /// A node with a grid over a box.
     pub(super) const fn over(bounds: &Bounds) -> Self {
         let ([a, b, c], [x, y, z]) = (bounds.low, bounds.high);
