@@ -3,7 +3,7 @@
 
 use fastrand::Rng;
 use whit::render::{LinearRgb, Sampling, Size};
-use whit::scene::{Hierarchy, HierarchyBuf, Leaf, Node, PackedSpheres, Sphere, Triangle};
+use whit::scene::{Hierarchy, HierarchyBuf, Leaf, Node, PackedSpheres, Shadow, Sphere, Triangle};
 use whit::{
     Background, Camera, Effects, Frame, Material, Object, Ray, Real, Rgb, Scene, SceneBuf, Settings, Shape, Tracer,
     Vec3, scenes,
@@ -26,11 +26,21 @@ fn assert_same<T: Real>(scene: &Scene<'_, T>, rays: impl Iterator<Item = Ray<T>>
     let with = scene.with_hierarchy(Hierarchy::build(scene, &mut nodes, &mut leaves).unwrap());
     let by_list = Tracer::<T, ALL, 1, 1>::try_new(scene).unwrap();
     let by_boxes = Tracer::<T, ALL, 1, 1>::try_new(&with).unwrap();
+    let is_opaque = scene.objects.iter().all(|object| object.shadow == Shadow::Full);
     let mut met = 0;
     for ray in rays {
         let [one, other] = [by_list.intersect(&ray), by_boxes.intersect(&ray)]
             .map(|found| found.map(|there| (there.object, there.primitive, there.distance)));
         assert_eq!(one, other, "{ray:?}");
+        assert_eq!(by_list.is_occluded(&ray, T::FARTHEST), by_boxes.is_occluded(&ray, T::FARTHEST), "{ray:?}");
+        for tracer in [&by_list, &by_boxes].into_iter().filter(|_| is_opaque) {
+            let (before, behind) = match one {
+                Some((_, _, distance)) => (distance * T::from_f32(0.99), distance.plus(distance)),
+                None => (T::FARTHEST, T::ZERO),
+            };
+            assert!(!tracer.is_occluded(&ray, before), "{ray:?}");
+            assert_eq!(tracer.is_occluded(&ray, behind), one.is_some(), "{ray:?}");
+        }
         met += usize::from(one.is_some());
     }
     met

@@ -38,13 +38,14 @@ impl<T: Real> Span<T> {
 pub(crate) fn intersect<T: Real>(shape: &AxisBox<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let AxisBox { min, max } = shape;
     let (o, d) = (ray.origin, ray.direction);
-    let mut span = Span { enter: -T::MAX, enter_axis: 0, leave: T::MAX, leave_axis: 0 };
+    // Neither end of these is a contact.
+    let mut span = Span { enter: T::ZERO, enter_axis: 0, leave: limit, leave_axis: 0 };
     let slabs = [(o.x, d.x, min.x, max.x), (o.y, d.y, min.y, max.y), (o.z, d.z, min.z, max.z)];
     for (axis, (origin, direction, low, high)) in (0..).zip(slabs) {
         span = span.cut(axis, origin, direction, low, high)?;
-    }
-    if span.enter > span.leave {
-        return None;
+        if span.enter > span.leave {
+            return None;
+        }
     }
     let entry = Contact::new(span.enter, true, span.enter_axis);
     let exit = Contact::new(span.leave, false, span.leave_axis);

@@ -1,6 +1,7 @@
 //! Rays against shapes: contacts, error-bounded surface points, and the search through all objects.
 
 mod axis_box;
+mod bits;
 mod bounds;
 mod candidates;
 mod cone;
@@ -16,6 +17,7 @@ mod surface;
 mod triangle;
 mod walk;
 
+use bits::Bits;
 pub(crate) use bounds::{Bounds, clearance, may_meet};
 pub(crate) use candidates::Candidates;
 pub(crate) use hit::Hit;

@@ -10,8 +10,9 @@ pub(crate) fn intersect<T: Real>(plane: &Plane<T>, ray: &Ray<T>, limit: T, outsi
     let towards = ray.direction.products(plane.normal);
     let height = (plane.point - ray.origin).products(plane.normal);
     let front = towards < T::NOTHING;
-    // Half of all rays move away from a plane; they are spared the division.
-    if (height < T::NOTHING) != front || towards == T::NOTHING || (outside_only && !front) {
+    // Half of all rays move away from a plane; they are spared the division where it takes long.
+    let is_away = |height| (height < T::NOTHING) != front || towards == T::NOTHING;
+    if (outside_only && !front) || (!T::DIVIDES_FAST && is_away(height)) {
         return None;
     }
     let t = T::ratio(height, towards);

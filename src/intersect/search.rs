@@ -180,7 +180,7 @@ impl<'r, T: Real, const EFFECTS: u64> Search<'r, T, EFFECTS> {
     }
 
     /// The contact with one object and the primitive it belongs to.
-    #[inline]
+    #[inline(always)]
     fn contact(&self, object: &Object<'_, T>, limit: T) -> Option<(Contact<T>, usize, [T; 3])> {
         let (ray, any) = (self.ray, self.any);
         let outside_only = has::<EFFECTS>(Effects::ONE_SIDED) && object.sides == Sides::Outside;

@@ -17,6 +17,25 @@ use crate::scene::Sphere;
 /// that is then the better discriminant.
 #[inline(always)]
 pub(crate) fn intersect<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
+    if !T::IS_FIXED {
+        // Most rays go far past: 64u·f² leave room for all roundings.
+        let f = ray.origin - sphere.center;
+        let b = f.dot(ray.direction);
+        if b * b < f.length_squared().lowered(64.0) - sphere.radius * sphere.radius {
+            return None;
+        }
+    }
+    intersect_near(sphere, ray, limit, outside_only)
+}
+
+/// The same with a sphere that the ray is known to go near to.
+#[inline(always)]
+pub(crate) fn intersect_near<T: Real>(
+    sphere: &Sphere<T>,
+    ray: &Ray<T>,
+    limit: T,
+    outside_only: bool,
+) -> Option<Contact<T>> {
     if T::IS_FIXED {
         return fixed_point::sphere(sphere, ray, limit, outside_only);
     }

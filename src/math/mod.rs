@@ -9,6 +9,7 @@ mod fast;
 mod fixed_point;
 mod integer_floor;
 mod integer_root;
+mod lanes;
 #[cfg(feature = "micromath")]
 mod micromath;
 #[cfg(feature = "micromath")]
@@ -27,6 +28,7 @@ pub use accumulate::Accumulate;
 pub use complex::Complex;
 #[cfg(feature = "micromath")]
 pub use fast::Fast;
+pub(crate) use lanes::{HAS_VECTORS, LANES, Lanes};
 #[cfg(feature = "micromath")]
 pub use micromath::Micromath;
 #[cfg(feature = "fixed")]

@@ -4,6 +4,7 @@ use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use super::accumulate::{Accumulate, accumulate_in_place};
+use super::lanes::{self, LANES, Lanes};
 use super::{HAS_FPU, Range, Vec3, exact_product, integer_floor, square_root, trigonometry};
 
 /// A scalar number type.
@@ -28,6 +29,9 @@ pub trait Real:
 {
     /// Whether all numbers are equally far apart, as in fixed point.
     const IS_FIXED: bool = false;
+    /// Whether a division takes no longer than a few branches.
+    #[doc(hidden)]
+    const DIVIDES_FAST: bool = false;
     /// How large the numbers of a scene may be, where that is less than all scenes may have.
     const RANGE: Option<Range> = None;
     /// 0
@@ -119,6 +123,14 @@ pub trait Real:
     /// What rounding took from a product: self·other − product, exactly, for `product` = self·other as it is computed.
     fn product_error(self, other: Self, product: Self) -> Self;
 
+    /// Eight numbers to be computed with side by side, in a type of which they are: of `f32` where the target has vector
+    /// registers.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn lanes(_: &[Self; LANES]) -> Option<Lanes> {
+        None
+    }
+
     /// |x|
     #[inline]
     fn abs(self) -> Self {
@@ -167,6 +179,7 @@ impl Real for f32 {
     const FARTHEST: Self = 1_152_921_504_606_846_976.0;
     const SMALLEST: Self = f32::MIN_POSITIVE;
     const ROUNDOFF: Self = f32::EPSILON / 2.0;
+    const DIVIDES_FAST: bool = HAS_FPU;
 
     #[inline]
     fn from_f32(x: f32) -> Self {
@@ -200,6 +213,10 @@ impl Real for f32 {
     #[inline]
     fn product_error(self, other: Self, product: Self) -> Self {
         exact_product::error(self, other, product, 4097.0)
+    }
+    #[inline(always)]
+    fn lanes(numbers: &[Self; LANES]) -> Option<Lanes> {
+        lanes::of(numbers)
     }
     #[inline(never)]
     fn floor(self) -> Self {

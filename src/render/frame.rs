@@ -148,6 +148,10 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
         })
     }
 
+    /// Whether something besides the pixel itself is sampled.
+    const SAMPLES: bool =
+        Effects::from_bits(EFFECTS).has(Effects::LENS.with(Effects::SPHERE_LIGHT).with(Effects::PARALLELOGRAM_LIGHT));
+
     /// The observer.
     #[must_use]
     pub fn observer(&self) -> &O {
@@ -187,7 +191,9 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
                     let pixel = Pixel { x, y, cell, color };
                     target.put(pixel).map_err(RenderError::Framebuffer)?;
                     let next = self.cursor.advance(self.job.size.width, &self.job.rows);
-                    self.sequence = Sequence::new(self.cursor.x, self.cursor.y);
+                    if Self::SAMPLES || self.job.plan.is_sequence() {
+                        self.sequence = Sequence::new(self.cursor.x, self.cursor.y);
+                    }
                     self.phase = if next == Next::SameRow { Phase::Sample } else { Phase::EndRow(y) };
                 }
                 Phase::EndRow(y) => {
@@ -226,10 +232,8 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
         self.phase = Phase::Sample;
         if self.pixel.add(light, &self.job.plan) {
             self.observer.pixel(self.cursor.x, self.cursor.y, self.pixel.count);
-            // What fits into `T` may still be too much for `f32`.
-            let color = self.tone(self.pixel.mean()).map(T::to_f32).min(Rgb::grey(f32::MAX));
-            self.phase = Phase::Put(color);
-            self.pixel = Accumulator::EMPTY;
+            self.phase = Phase::Put(finite(self.tone(self.pixel.mean()).map(T::to_f32)));
+            self.pixel.clear();
         }
         true
     }
@@ -237,9 +241,16 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
     fn tone(&self, light: Rgb<T>) -> Rgb<T> {
         match self.tracer.scene().tone {
             Tone::Display { gain, lift } if Effects::from_bits(EFFECTS).has(Effects::DISPLAY_TONE) => {
-                light.min(Rgb::grey(T::MAX)).map(|light| T::held(light.product(gain)).plus(lift))
+                finite(light).map(|light| T::held(light.product(gain)).plus(lift))
             }
             _ => light,
         }
     }
+}
+
+/// Huge lights may overflow, and a finite pixel is promised. What is not a number would be black, not white.
+#[inline]
+fn finite<T: Real>(color: Rgb<T>) -> Rgb<T> {
+    let is_finite = color.r.plus(color.g).plus(color.b).abs() <= T::MAX;
+    if is_finite { color } else { color.max(Rgb::BLACK).min(Rgb::grey(T::MAX)) }
 }

@@ -53,8 +53,11 @@ impl Cursor {
     }
 
     /// Moves to the next pixel.
+    #[inline]
     pub(crate) fn advance(&mut self, width: u32, rows: &Range<u32>) -> Next {
-        self.x = self.x.saturating_add(self.columns().1);
+        // In the only pass there is, no pixel is passed over.
+        let step = if self.order == Order::Rows { 1 } else { self.columns().1 };
+        self.x = self.x.saturating_add(step);
         if self.x < width {
             return Next::SameRow;
         }
@@ -62,6 +65,7 @@ impl Cursor {
     }
 
     /// Moves to the next row, of this pass or the next, that has a pixel.
+    #[inline(never)]
     fn find_row(&mut self, width: u32, rows: &Range<u32>) -> Next {
         while self.cell > 0 {
             self.y = self.y.saturating_add(self.cell);

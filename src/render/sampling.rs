@@ -56,11 +56,19 @@ impl<T: Real> Plan<T> {
         }
     }
 
+    /// Whether the places of the samples are those of a sequence.
+    #[inline]
+    pub(crate) fn is_sequence(&self) -> bool {
+        self.grid == 0
+    }
+
     /// Where a sample lies within its pixel.
     #[inline]
     pub(crate) fn position(&self, samples: &Samples) -> [T; 2] {
-        if self.grid == 0 {
-            return samples.point(Sequence::PIXEL);
+        match self.grid {
+            0 => return samples.point(Sequence::PIXEL),
+            1 => return [T::HALF; 2],
+            _ => {}
         }
         let middle = |i: u32| (T::from_u32(i) + T::HALF) / T::from_u32(self.grid);
         [middle(samples.index % self.grid), middle(samples.index / self.grid)]
@@ -70,44 +78,49 @@ impl<T: Real> Plan<T> {
 /// The samples of the pixel at hand, summed up.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Accumulator<T: Real> {
-    /// Red, green and blue.
-    channels: [Channel<T>; 3],
+    /// Of red, green and blue.
+    sums: [T::Wide; 3],
     pub count: u32,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct Channel<T: Real> {
-    sum: T::Wide,
-    darkest: T,
-    brightest: T,
+    /// The extremes of the first samples, where it depends on them how many there are.
+    darkest: Rgb<T>,
+    brightest: Rgb<T>,
 }
 
 impl<T: Real> Accumulator<T> {
-    pub(crate) const EMPTY: Self =
-        Self { channels: [Channel { sum: T::NOTHING, darkest: T::MAX, brightest: T::ZERO }; 3], count: 0 };
+    pub(crate) const EMPTY: Self = Self { sums: [T::NOTHING; 3], count: 0, darkest: Rgb::BLACK, brightest: Rgb::BLACK };
+
+    /// Forgets the samples.
+    #[inline]
+    pub(crate) fn clear(&mut self) {
+        (self.sums, self.count) = ([T::NOTHING; 3], 0);
+    }
 
     /// Adds a sample and tells whether the pixel is done.
     #[inline]
     pub(crate) fn add(&mut self, color: Rgb<T>, plan: &Plan<T>) -> bool {
         self.count += 1;
-        let mut spread = T::ZERO;
-        for (channel, light) in self.channels.iter_mut().zip([color.r, color.g, color.b]) {
-            // Huge lights may overflow; a finite pixel is promised. What is not a number would be black, not white.
-            let light = light.max(T::ZERO).min(T::MAX);
-            channel.sum = channel.sum + light.summand();
-            if self.count <= plan.first {
-                channel.darkest = channel.darkest.min(light);
-                channel.brightest = channel.brightest.max(light);
-            }
-            spread = spread.max(channel.brightest - channel.darkest);
+        for (sum, light) in self.sums.iter_mut().zip([color.r, color.g, color.b]) {
+            *sum = *sum + light.summand();
         }
-        (self.count >= plan.first && spread <= plan.contrast) || self.count >= plan.most
+        self.count >= plan.most || (plan.first > 0 && self.is_even(color, plan))
     }
 
-    /// The mean of the samples. The sum of some that are finite may not be.
+    /// Whether the first samples, of which this may be one, are known and differ little.
+    #[inline(never)]
+    fn is_even(&mut self, color: Rgb<T>, plan: &Plan<T>) -> bool {
+        if self.count <= plan.first {
+            let color = color.max(Rgb::BLACK).min(Rgb::grey(T::MAX));
+            let (darkest, brightest) = if self.count == 1 { (color, color) } else { (self.darkest, self.brightest) };
+            (self.darkest, self.brightest) = (darkest.min(color), brightest.max(color));
+        }
+        let spread = self.brightest.zip(self.darkest, |brightest, darkest| brightest - darkest).max_channel();
+        self.count >= plan.first && spread <= plan.contrast
+    }
+
+    /// The mean of the samples, which may be infinite where lights are huge.
     #[inline]
     pub(crate) fn mean(&self) -> Rgb<T> {
-        let [r, g, b] = self.channels.each_ref().map(|channel| T::mean(channel.sum, self.count.max(1)));
+        let [r, g, b] = self.sums.map(|sum| T::mean(sum, self.count));
         Rgb { r, g, b }
     }
 }

@@ -35,7 +35,7 @@ pub use material::{Balance, Body, Exponent, Highlight, Lobe, Material};
 pub use medium::{Channel, Index, Medium};
 pub use object::{Object, Shadow, Sides};
 pub use offset::Offset;
-pub(crate) use packed_spheres::{Cluster, LANES};
+pub(crate) use packed_spheres::{Around, Cluster};
 pub use packed_spheres::{PackedSpheres, SphereList};
 pub use pattern::Pattern;
 pub(crate) use profile::Layers;

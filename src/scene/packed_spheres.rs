@@ -1,7 +1,7 @@
 //! Many spheres in a layout that is quick to search.
 
 use super::Sphere;
-use crate::math::Vec3;
+use crate::math::{LANES, Vec3};
 
 /// Many spheres of one material, packed eight by eight so that a ray is tested against eight at once.
 ///
@@ -30,6 +30,7 @@ use crate::math::Vec3;
 pub struct PackedSpheres<T, const BOUNDS: usize, const CLUSTERS: usize> {
     bounds: [Cluster<T>; BOUNDS],
     clusters: [Cluster<T>; CLUSTERS],
+    around: Around<T>,
 }
 
 /// A view of [`PackedSpheres`] without their number.
@@ -38,6 +39,14 @@ pub struct SphereList<'a, T> {
     /// Lane j of bound i lies around cluster 8·i + j.
     pub(crate) bounds: &'a [Cluster<T>],
     pub(crate) clusters: &'a [Cluster<T>],
+    pub(crate) around: Around<T>,
+}
+
+/// A box around all spheres: its middle, and half of each side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Around<T> {
+    pub middle: Vec3<T>,
+    pub half: Vec3<T>,
 }
 
 /// Up to eight spheres, coordinate by coordinate as vector registers want them.
@@ -49,9 +58,6 @@ pub(crate) struct Cluster<T> {
     pub radius: [T; LANES],
     pub count: u8,
 }
-
-/// How many spheres a cluster has room for.
-pub(crate) const LANES: usize = 8;
 
 impl<T: Copy> Cluster<T> {
     /// The sphere in one of the lanes.
@@ -85,11 +91,11 @@ impl<T: Copy> SphereList<'_, T> {
     }
 }
 
-impl<T, const BOUNDS: usize, const CLUSTERS: usize> PackedSpheres<T, BOUNDS, CLUSTERS> {
+impl<T: Copy, const BOUNDS: usize, const CLUSTERS: usize> PackedSpheres<T, BOUNDS, CLUSTERS> {
     /// The spheres as a [`Shape`](super::Shape) wants them.
     #[must_use]
     pub const fn view(&self) -> SphereList<'_, T> {
-        SphereList { bounds: &self.bounds, clusters: &self.clusters }
+        SphereList { bounds: &self.bounds, clusters: &self.clusters, around: self.around }
     }
 }
 
@@ -119,7 +125,7 @@ impl<const BOUNDS: usize, const CLUSTERS: usize> PackedSpheres<f32, BOUNDS, CLUS
             bounds[i] = Cluster::of(&around, i * LANES);
             i += 1;
         }
-        Self { bounds, clusters }
+        Self { bounds, clusters, around: Around::of(&sorted) }
     }
 }
 
@@ -140,29 +146,63 @@ impl Cluster<f32> {
     }
 }
 
+/// The lowest and the highest coordinates of some spheres.
+struct Sides {
+    low: [f64; 3],
+    high: [f64; 3],
+}
+
+impl Sides {
+    const NONE: Self = Self { low: [f64::MAX; 3], high: [f64::MIN; 3] };
+
+    const fn with(&self, Sphere { center, radius }: &Sphere<f32>) -> Self {
+        let (Self { low, high }, reach) = (self, radius.abs() as f64);
+        let [x, y, z] = [center.x as f64, center.y as f64, center.z as f64];
+        Self {
+            low: [low[0].min(x - reach), low[1].min(y - reach), low[2].min(z - reach)],
+            high: [high[0].max(x + reach), high[1].max(y + reach), high[2].max(z + reach)],
+        }
+    }
+
+    const fn middle(&self) -> Vec3<f32> {
+        let Self { low, high } = self;
+        Vec3::new(
+            ((low[0] + high[0]) / 2.0) as f32,
+            ((low[1] + high[1]) / 2.0) as f32,
+            ((low[2] + high[2]) / 2.0) as f32,
+        )
+    }
+}
+
+#[allow(clippy::indexing_slicing)] // In range by the loop's condition.
+impl Around<f32> {
+    const fn of<const N: usize>(spheres: &[Sphere<f32>; N]) -> Self {
+        let (mut sides, mut i) = (Sides::NONE, 0);
+        while i < N {
+            sides = sides.with(&spheres[i]);
+            i += 1;
+        }
+        let Sides { low, high } = sides;
+        let middle = sides.middle();
+        // From the middle as it is rounded to there, and rounded up.
+        let [x, y, z] = [middle.x as f64, middle.y as f64, middle.z as f64];
+        let half = Vec3::new(
+            ((x - low[0]).max(high[0] - x) as f32).next_up(),
+            ((y - low[1]).max(high[1] - y) as f32).next_up(),
+            ((z - low[2]).max(high[2] - z) as f32).next_up(),
+        );
+        Self { middle, half }
+    }
+}
+
 /// A sphere around all spheres of a cluster.
 const fn bounding_sphere(cluster: &Cluster<f32>) -> Sphere<f32> {
-    let (mut low, mut high) = ([f64::MAX; 3], [f64::MIN; 3]);
-    let mut lane = 0;
-    while let Some(Sphere { center, radius }) = cluster.sphere(lane) {
-        let reach = radius.abs() as f64;
-        low = [
-            low[0].min(center.x as f64 - reach),
-            low[1].min(center.y as f64 - reach),
-            low[2].min(center.z as f64 - reach),
-        ];
-        high = [
-            high[0].max(center.x as f64 + reach),
-            high[1].max(center.y as f64 + reach),
-            high[2].max(center.z as f64 + reach),
-        ];
+    let (mut sides, mut lane) = (Sides::NONE, 0);
+    while let Some(sphere) = cluster.sphere(lane) {
+        sides = sides.with(&sphere);
         lane += 1;
     }
-    let middle = Vec3::new(
-        ((low[0] + high[0]) / 2.0) as f32,
-        ((low[1] + high[1]) / 2.0) as f32,
-        ((low[2] + high[2]) / 2.0) as f32,
-    );
+    let middle = sides.middle();
     let mut reach = 0.0_f64;
     let mut lane = 0;
     while let Some(Sphere { center, radius }) = cluster.sphere(lane) {

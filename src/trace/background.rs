@@ -11,8 +11,8 @@ pub(super) fn background<T: Real, const EFFECTS: u64>(scene: &Scene<'_, T>, dire
         Background::Solid(color) => color,
         Background::Gradient { below, above, up } if effects.has(Effects::BACKGROUND_GRADIENT) => {
             // Both are unit vectors but for their rounding, which must not make negative light.
-            let height = (T::ONE + direction.dot(up)) * T::HALF;
-            below.mix(above, height.max(T::ZERO).min(T::ONE))
+            let height = ((T::ONE + direction.dot(up)) * T::HALF).abs();
+            below.mix(above, height.min(T::ONE))
         }
         Background::Sky { horizon, up } if effects.has(Effects::SKY) => {
             let dark = T::ONE - direction.dot(up);

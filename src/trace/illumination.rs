@@ -14,13 +14,16 @@ pub(crate) struct Illumination<T> {
     pub color: Rgb<T>,
 }
 
-/// A kind of light the tracer leaves out, or one that is exactly at the point, gives nothing.
+/// A kind of light the tracer leaves out, or one that is exactly at the point, gives nothing, nor does one that is behind the
+/// surface with this normal.
 pub(crate) fn illuminate<T: Real, const EFFECTS: u64>(
     light: &Light<T>,
     point: Vec3<T>,
+    normal: Option<Vec3<T>>,
     sample: impl FnOnce() -> [T; 2],
 ) -> Option<Illumination<T>> {
     let effects = const { Effects::from_bits(EFFECTS) };
+    let is_behind = |towards: Vec3<T>| normal.is_some_and(|normal| towards.products(normal) <= T::NOTHING);
     let position = match light.emitter {
         Emitter::Point { position } if effects.has(Effects::POINT_LIGHT) => position,
         Emitter::Sphere { center, radius } if effects.has(Effects::SPHERE_LIGHT) => {
@@ -33,12 +36,18 @@ pub(crate) fn illuminate<T: Real, const EFFECTS: u64>(
             corner + edge_u * s + edge_v * t
         }
         Emitter::Directional { towards } if effects.has(Effects::DIRECTIONAL_LIGHT) => {
+            if is_behind(towards) {
+                return None;
+            }
             let ray = Ray { origin: point, direction: towards.normalized() };
             return Some(Illumination { ray, distance: T::MAX, color: light.color });
         }
         _ => return None,
     };
     let towards = position - point;
+    if is_behind(towards) {
+        return None;
+    }
     let (direction, distance) = T::direction_and_length(towards)?;
     let attenuation = match light.falloff {
         Some(falloff) if effects.has(Effects::FALLOFF) => {

@@ -98,7 +98,7 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
         observer: &mut O,
     ) -> bool {
         let is_bent = has_bent_shadows::<T, EFFECTS>(scene);
-        while let Some(light) = scene.lights.get(self.light) {
+        for light in scene.lights.iter().skip(self.light) {
             // A bent path is not looked for only to be looked for again.
             if is_bent && *rays == 0 {
                 return false;
@@ -107,7 +107,9 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
                 let count = scene.lights.len() as u32;
                 samples.point(Sequence::light(u32::from(self.depth), self.light as u32, count))
             };
-            let straight = illuminate::<T, EFFECTS>(light, self.origin, sample);
+            // Bent light may come from the other side.
+            let normal = if is_bent { None } else { Some(self.normal) };
+            let straight = illuminate::<T, EFFECTS>(light, self.origin, normal, sample);
             let mut bent = BentLight::new(budget);
             let arriving = if is_bent {
                 straight.and_then(|light| bent.aim::<EFFECTS>(scene, self.media.medium(scene).index, light))
@@ -115,10 +117,11 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
                 straight
             };
             if let Some(arriving) = arriving {
-                // Huge lights may overflow, and what nothing of them gets through must still be black.
                 let sent = arriving.color.held_product(self.response::<EFFECTS>(arriving.ray.direction));
-                let sent = sent.max(Rgb::BLACK).min(Rgb::grey(T::MAX));
-                if sent.max_channel() > T::ZERO {
+                let strongest = sent.max_channel();
+                // Huge lights may overflow, and what nothing of them gets through must still be black.
+                let sent = if strongest > T::MAX { sent.min(Rgb::grey(T::MAX)) } else { sent };
+                if strongest > T::ZERO {
                     if *rays == 0 {
                         return false;
                     }

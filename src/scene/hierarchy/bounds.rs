@@ -1,7 +1,8 @@
 //! Boxes along the axes, in `f32` whatever the number type of the scene.
 
+use crate::math::LANES;
 use crate::math::{Real, Vec3};
-use crate::scene::{LANES, Shape, Sphere};
+use crate::scene::{Shape, Sphere};
 
 /// A box along the axes.
 ///

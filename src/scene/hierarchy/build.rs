@@ -92,11 +92,14 @@ const fn unbounded_first(leaves: &mut [Leaf]) -> usize {
     count
 }
 
-/// Divides a range into up to eight, the one that costs most first.
+/// Divides a range into up to eight, the one that costs most first: those that are too large for leaves, and then all others, for
+/// which there is room in the node anyway.
 const fn divide(leaves: &mut [Leaf], whole: Range, is_balanced: bool) -> ([Range; WIDTH], usize) {
     let (mut ranges, mut count) = ([whole; WIDTH], 1);
     while count < WIDTH {
-        let Some(widest) = costliest(&ranges, count, is_balanced) else { break };
+        let large = costliest(&ranges, count, MOST_LEAVES, is_balanced);
+        let widest = if large.is_some() { large } else { costliest(&ranges, count, 1, is_balanced) };
+        let Some(widest) = widest else { break };
         let widest = widest % WIDTH;
         let Range { first, end, .. } = ranges[widest];
         let middle = if is_balanced { first + (end - first) / 2 } else { split(leaves, first, end) };
@@ -107,12 +110,12 @@ const fn divide(leaves: &mut [Leaf], whole: Range, is_balanced: bool) -> ([Range
     (ranges, count)
 }
 
-/// Of the ranges that may be divided, the one of the largest surface, or of the most leaves.
-const fn costliest(ranges: &[Range; WIDTH], count: usize, by_count: bool) -> Option<usize> {
+/// Of the ranges of more than so many leaves, the one of the largest surface, or of the most leaves.
+const fn costliest(ranges: &[Range; WIDTH], count: usize, leaves: usize, by_count: bool) -> Option<usize> {
     let (mut found, mut most, mut i) = (None, -1.0, 0);
     while i < count && i < WIDTH {
         let cost = if by_count { ranges[i].count() as f32 } else { ranges[i].bounds.area() };
-        if ranges[i].count() > MOST_LEAVES && cost > most {
+        if ranges[i].count() > leaves && cost > most {
             (found, most) = (Some(i), cost);
         }
         i += 1;
