@@ -7,9 +7,12 @@ import { fileURLToPath } from "node:url";
 
 export const root = fileURLToPath(new URL("../..", import.meta.url));
 
-/** Where cargo leaves the modules. */
+/** Where the page finds the modules, and where cargo leaves them. */
+export const MODULES = "/target/wasm32-unknown-unknown/small/examples";
 const target = process.env.CARGO_TARGET_DIR || join(root, "target");
-export const modules = join(target, "wasm32-unknown-unknown/small/examples");
+export const modules = fileFor(MODULES);
+/** Those that need SIMD. */
+export const simdModules = fileFor(MODULES.replace("/target/", "/target/simd/"));
 
 /** Where the page looks for settings that were measured, and the file that it gets here unless a test has another. */
 export const FRONTIER = "/examples/web/frontier.json";

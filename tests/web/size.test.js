@@ -12,12 +12,12 @@ import { modules, serve } from "./server.js";
 
 /** The most bytes of each module. The aims are 32 KiB for `web` and 6 KiB for `web_card`, after wasm-opt. */
 const LIMITS = {
-  web: { plain: 169_500, optimised: 121_500 },
-  web_f64: { plain: 187_500, optimised: 137_500 },
+  web: { plain: 170_000, optimised: 122_000 },
+  web_f64: { plain: 188_000, optimised: 137_000 },
   web_fast: { plain: 176_000, optimised: 127_500 },
   web_q20: { plain: 167_500, optimised: 118_500 },
-  web_nff: { plain: 61_500, optimised: 52_000 },
-  web_card: { plain: 14_100, optimised: 11_600 },
+  web_nff: { plain: 61_500, optimised: 51_500 },
+  web_card: { plain: 14_650, optimised: 12_100 },
 };
 
 /** What the compiler's target has; where a module says so itself, it is cut off by `strip`. */
