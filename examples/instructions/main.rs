@@ -14,6 +14,7 @@ mod list;
 
 mod callgrind;
 mod compare;
+mod count;
 mod counted;
 #[path = "../effects/library.rs"]
 mod library;
@@ -26,6 +27,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 use clap::Parser;
+use count::Count;
 use rayon::prelude::*;
 use record::{Machine, Record};
 use subject::Subject;
@@ -104,13 +106,13 @@ fn check(file: &Path) -> Result<(), String> {
 }
 
 /// What is counted of each subject, in their order.
-fn count_all() -> Result<Vec<callgrind::Count>, String> {
+fn count_all() -> Result<Vec<Count>, String> {
     let program = std::env::current_exe().map_err(|error| error.to_string())?;
-    Subject::all().into_par_iter().map(|subject| callgrind::count(&program, &subject.name())).collect()
+    Subject::all().into_par_iter().map(|subject| Count::take(&program, &subject.name())).collect()
 }
 
-fn records(machine: &Machine, counts: &[callgrind::Count]) -> Result<Vec<Record>, String> {
-    let record = |(subject, count): (Subject, &callgrind::Count)| {
+fn records(machine: &Machine, counts: &[Count]) -> Result<Vec<Record>, String> {
+    let record = |(subject, count): (Subject, &Count)| {
         let (machine, rays) = (machine.clone(), counted::rays(subject)?);
         Ok(Record { scene: subject.name(), instructions: count.instructions, rays, machine })
     };

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::callgrind::Count;
 use crate::compare::{SLACK, SLACK_ELSEWHERE};
+use crate::count::Count;
 use crate::counted;
 use crate::profile::{self, Profile};
 use crate::record::{Machine, Record};

@@ -10,7 +10,8 @@ pub fn run(command: &mut Command) -> Result<(Output, f64), String> {
     if output.status.success() {
         return Ok((output, time));
     }
-    Err(format!("{command:?}: {}\n{}", output.status, String::from_utf8_lossy(&output.stderr)))
+    let [said, complained] = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text));
+    Err(format!("{command:?}: {}\n{said}{complained}", output.status))
 }
 
 /// Of all that have ended.

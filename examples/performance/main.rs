@@ -13,6 +13,7 @@
 mod agreement;
 mod aim;
 mod boards;
+#[path = "../instructions/callgrind.rs"]
 mod callgrind;
 mod card;
 mod chart;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use crate::callgrind::{Counts, count};
+use crate::callgrind::{self, Counts};
 use crate::places::Places;
 use crate::programs::Programs;
 use crate::section::Section;
@@ -26,13 +26,13 @@ type Shares = BTreeMap<String, f64>;
 pub fn measure(programs: &Programs) -> Result<Section, String> {
     let mut section = Section::new("Where the time goes");
     let mut columns = Vec::new();
+    if !callgrind::is_there() {
+        section.lacks("Valgrind", "valgrind");
+        return Ok(section);
+    }
     for (name, arguments) in PICTURES {
         eprintln!("instructions of {name}");
-        let Some(shares) = shares(programs, arguments)? else {
-            section.lacks("Valgrind", "valgrind");
-            return Ok(section);
-        };
-        columns.push(shares);
+        columns.push(shares(programs, arguments)?);
     }
     section.line(
         "Shares of the instructions of a picture, of the plain build, by the file of the library that they come from; what is inlined \
@@ -66,21 +66,19 @@ fn title(file: &str) -> String {
     }
 }
 
-/// Of what a large picture takes more than a small one; `None` where there is no valgrind.
-fn shares(programs: &Programs, arguments: &[&str]) -> Result<Option<Shares>, String> {
+/// Of what a large picture takes more than a small one.
+fn shares(programs: &Programs, arguments: &[&str]) -> Result<Shares, String> {
     let program = programs.measured("any");
     let program = Path::new(program.get_program());
-    let mut counts = Vec::new();
-    for size in SIZES {
-        let arguments: Vec<&str> = arguments.iter().map(|&word| if word == "SIZE" { size } else { word }).collect();
-        let picture = programs.file("profile.ppm");
-        match count(program, &arguments, &picture, &programs.file("callgrind"))? {
-            Some(counted) => counts.push(counted),
-            None => return Ok(None),
-        }
-    }
-    let [small, large] = &counts[..] else { return Ok(None) };
-    by_file(program, small, large).map(Some)
+    let picture = programs.file("profile.ppm");
+    let picture = picture.to_str().ok_or_else(|| format!("{}: expected a name in UTF-8", picture.display()))?;
+    let count = |size| {
+        let sized = arguments.iter().map(|&word| if word == "SIZE" { size } else { word });
+        let arguments: Vec<&str> = sized.chain([picture]).collect();
+        callgrind::count(&["--dump-instr=yes", "--dump-line=no"], program, &arguments)
+    };
+    let [small, large] = SIZES.map(count);
+    by_file(program, &small?, &large?)
 }
 
 fn by_file(program: &Path, small: &Counts, large: &Counts) -> Result<Shares, String> {
@@ -90,8 +88,8 @@ fn by_file(program: &Path, small: &Counts, large: &Counts) -> Result<Shares, Str
     let mut total = 0.0;
     for (address, count) in large {
         let count = count.saturating_sub(small.get(address).copied().unwrap_or_default()) as f64;
-        let file =
-            address.map_or_else(|| Ok("the C library".to_owned()), |address| places.find(address).map(|at| at.user))?;
+        let file = address
+            .map_or_else(|| Ok("the C library".to_owned()), |address| places.find(address as u32).map(|at| at.user))?;
         *shares.entry(file).or_default() += count;
         total += count;
     }

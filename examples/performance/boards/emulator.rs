@@ -7,6 +7,7 @@ use std::process::Command;
 use object::{Object, ObjectSection, SectionKind};
 
 use super::folder;
+use crate::clock::run;
 
 pub const QEMU: &str = "qemu-system-arm";
 
@@ -36,22 +37,13 @@ pub fn is_there(program: &str) -> bool {
     Command::new(program).arg("--version").output().is_ok()
 }
 
-/// What a command prints.
-pub fn run(command: &mut Command) -> Result<String, String> {
-    let output = command.output().map_err(|error| format!("{:?}: {error}", command.get_program()))?;
-    let printed = String::from_utf8_lossy(&output.stdout).into_owned();
-    if output.status.success() {
-        return Ok(printed);
-    }
-    Err(format!("{command:?}: {printed}{}", String::from_utf8_lossy(&output.stderr)))
-}
-
 /// Runs a program; its virtual clock counts instructions.
 pub fn emulate(program: &Path) -> Result<Said, String> {
     let mut qemu = Command::new(QEMU);
     qemu.args(["-M", "mps2-an386", "-nographic", "-icount", "shift=0"]);
     qemu.args(["-semihosting-config", "enable=on,target=native", "-kernel"]);
-    let printed = run(qemu.arg(program).current_dir(folder()))?;
+    let (output, _) = run(qemu.arg(program).current_dir(folder()))?;
+    let printed = String::from_utf8_lossy(&output.stdout);
     let words = printed.lines().filter_map(|line| line.split_once(' '));
     let words = words.map(|(name, word)| (name.trim_end_matches(':').to_owned(), word.trim().to_owned())).collect();
     let bytes = std::fs::read(program).map_err(|error| format!("{}: {error}", program.display()))?;

@@ -2,9 +2,10 @@
 
 use std::process::Command;
 
-use super::emulator::{emulate, run};
+use super::emulator::emulate;
 use super::scenes::Peer;
 use super::{Row, WHIT, folder, here, package};
+use crate::clock::run;
 
 const TARGET: &str = "thumbv7em-none-eabihf";
 

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 use std::process::Command;
 
-use super::emulator::{emulate, run};
+use super::emulator::emulate;
 use super::{ORIGINAL, Row, folder, package};
+use crate::clock::run;
 
 pub const COMPILER: &str = "arm-none-eabi-g++";
 
