@@ -1,12 +1,13 @@
-// The page: controls, a picture that is rendered between two frames of the screen, and what it cost.
+// The page: controls, a picture that is rendered in short slices of time, and what it cost.
 
 import { Job, difference } from "./job.js";
 import { Orbit } from "./orbit.js";
 import { Reader, Renderer } from "./renderer.js";
+import { Slices } from "./slices.js";
 import { Tuning } from "./tuning.js";
 
-/** Milliseconds of work before the browser has its turn. */
-const SLICE = 12;
+/** Milliseconds after which a picture in the making is shown again. */
+const PAUSE = 40;
 /** What a picture is compared with; the samples and the depth are the picture's own if those are more. */
 const REFERENCE = { maths: "f64", samples: 16, isGrid: false, depth: 12, cutoff: 0, termination: 0, fresnel: 0 };
 
@@ -15,6 +16,7 @@ const { canvas } = element;
 const context = canvas.getContext("2d", { alpha: false, willReadFrequently: true });
 const orbit = new Orbit(canvas, () => restart());
 const tuning = new Tuning(element, () => restart());
+const slices = new Slices(work);
 
 const renderers = new Map(); // By number type, for the pictures.
 let referee = null; // The renderer of the reference.
@@ -22,8 +24,8 @@ let reader = null;
 let scene = null;
 let job = null;
 let reference = null; // The job of the reference, with the `key` of its view and settings.
+let painted = 0; // When, in milliseconds.
 let isWaiting = false; // To begin anew, until the picture at hand can be seen.
-let isScheduled = false;
 let turn = 0; // Counts what was asked for, so that what loads slowly does not undo what came after.
 
 async function begin() {
@@ -37,7 +39,7 @@ async function begin() {
   element.controls.addEventListener("submit", (event) => event.preventDefault());
   element.compare.addEventListener("change", () => {
     if (job) showError();
-    schedule();
+    slices.ask();
   });
   element.home.addEventListener("click", () => (orbit.reset(), restart()));
   element.file.addEventListener("change", () => {
@@ -73,7 +75,7 @@ function open(next) {
 async function restart() {
   tuning.follow();
   isWaiting = job !== null && !job.isVisible;
-  if (isWaiting) return schedule();
+  if (isWaiting) return slices.ask();
   const mine = ++turn;
   canvas.setAttribute("aria-busy", "true");
   try {
@@ -85,7 +87,7 @@ async function restart() {
     job = new Job(renderer, orbit.pose, wishes, entry);
     tell(null);
     showError();
-    schedule();
+    slices.ask();
   } catch (error) {
     canvas.setAttribute("aria-busy", String(job !== null && !job.isDone));
     tell(error.message);
@@ -106,36 +108,31 @@ function readControls() {
   return wishes;
 }
 
-function schedule() {
-  if (isScheduled) return;
-  isScheduled = true;
-  requestAnimationFrame(() => {
-    isScheduled = false;
-    work();
-  });
-}
-
 /** One slice of time: for the picture, and when it is done for the reference. */
-function work() {
+function work(milliseconds) {
   if (!job) return;
   if (!job.isDone) {
-    job.work(SLICE);
-    if (job.isVisible) paint();
-    showCost();
+    job.work(milliseconds);
+    if (job.isVisible && isDue()) paint();
   } else if (reference && !reference.isDone && element.compare.checked) {
-    reference.work(SLICE);
+    reference.work(milliseconds);
     showError();
   }
   if (isWaiting && job.isVisible) restart();
-  else if (!job.isDone) schedule();
+  else if (!job.isDone) slices.ask();
   else if (element.compare.checked) compare();
+}
+
+/** Whether to show the picture at hand: it is whole, another is to follow, or there was none for a while. */
+function isDue() {
+  return job.isDone || isWaiting || performance.now() - painted >= PAUSE;
 }
 
 /** Goes on with the reference, begins it, or does nothing if it is known. */
 async function compare() {
   const key = referenceKey();
   if (referee?.scene === scene && reference?.key === key) {
-    return reference.isDone ? showError() : schedule();
+    return reference.isDone ? showError() : slices.ask();
   }
   const mine = turn;
   try {
@@ -145,7 +142,7 @@ async function compare() {
     reference = new Job(referee, job.pose, referenceFor(job.wishes));
     reference.key = key;
     showError();
-    schedule();
+    slices.ask();
   } catch (error) {
     element.reference.textContent = `No reference: ${error.message}`;
   }
@@ -161,6 +158,8 @@ function paint() {
   context.putImageData(job.renderer.image, 0, 0);
   canvas.setAttribute("aria-label", `Picture of ${scene.name}`);
   if (job.isDone) canvas.setAttribute("aria-busy", "false");
+  painted = performance.now();
+  showCost();
 }
 
 /** Pixels that are much larger than the screen's are shown as squares. */
