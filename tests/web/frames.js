@@ -9,7 +9,7 @@ import { launch, open, rendered, set } from "./browser.js";
 import { MODULES, serve } from "./server.js";
 
 const SCENES = ["showcase", "card", "flake"];
-const ROUNDS = 8;
+const ROUNDS = 16;
 const FRAMES = 4;
 const SETTINGS = {
   width: 320, height: 240, samples: 1, isGrid: false, depth: 8, cutoff: 1 / 255, termination: 0, fresnel: 0,
