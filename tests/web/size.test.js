@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { launch, open, pixels, rendered, set } from "./browser.js";
-import { modules, serve } from "./server.js";
+import { modules, serve, simdModules } from "./server.js";
 
 /** The most bytes of each module. The aims are 32 KiB for `web` and 6 KiB for `web_card`, after wasm-opt. */
 const LIMITS = {
@@ -19,6 +19,8 @@ const LIMITS = {
   web_nff: { plain: 61_500, optimised: 51_500 },
   web_card: { plain: 14_650, optimised: 12_100 },
 };
+/** Of `web` for speed, with SIMD. */
+const SIMD_LIMITS = { plain: 188_800, optimised: 141_500 };
 
 /** What the compiler's target has; where a module says so itself, it is cut off by `strip`. */
 const FEATURES = ["bulk-memory", "multivalue", "mutable-globals", "nontrapping-float-to-int", "reference-types", "sign-ext"];
@@ -26,25 +28,33 @@ const FEATURES = ["bulk-memory", "multivalue", "mutable-globals", "nontrapping-f
 const folder = mkdtempSync(join(tmpdir(), "whit-web-"));
 const optimised = (name) => join(folder, `${name}.wasm`);
 
-before(() => {
+function optimise(from, to, features) {
   const tool = fileURLToPath(new URL("node_modules/.bin/wasm-opt", import.meta.url));
   const options = ["-Oz", "--strip-debug", "--strip-producers", "--strip-target-features"];
-  for (const name of Object.keys(LIMITS)) {
-    const features = FEATURES.map((feature) => `--enable-${feature}`);
-    execFileSync(tool, [...options, ...features, join(modules, `${name}.wasm`), "-o", optimised(name)]);
-  }
+  execFileSync(tool, [...options, ...features.map((feature) => `--enable-${feature}`), from, "-o", to]);
+}
+
+/** Prints the sizes of a module as it was left and as it was optimised, and compares both. */
+function compare(name, files, limits) {
+  const [plain, small] = files.map((file) => statSync(file).size);
+  console.log(`${name}: ${plain} bytes, ${small} after wasm-opt`);
+  assert.ok(plain <= limits.plain, `${name}: ${plain} bytes, the limit is ${limits.plain}`);
+  assert.ok(small <= limits.optimised, `${name} after wasm-opt: ${small} bytes, the limit is ${limits.optimised}`);
+}
+
+before(() => {
+  for (const name of Object.keys(LIMITS)) optimise(join(modules, `${name}.wasm`), optimised(name), FEATURES);
 });
 
 after(() => rmSync(folder, { recursive: true }));
 
 test("no module is larger than its limit", () => {
   for (const [name, limits] of Object.entries(LIMITS)) {
-    const plain = statSync(join(modules, `${name}.wasm`)).size;
-    const small = statSync(optimised(name)).size;
-    console.log(`${name}: ${plain} bytes, ${small} after wasm-opt`);
-    assert.ok(plain <= limits.plain, `${name}: ${plain} bytes, the limit is ${limits.plain}`);
-    assert.ok(small <= limits.optimised, `${name} after wasm-opt: ${small} bytes, the limit is ${limits.optimised}`);
+    compare(name, [join(modules, `${name}.wasm`), optimised(name)], limits);
   }
+  const [plain, small] = [join(simdModules, "web.wasm"), optimised("web_simd")];
+  optimise(plain, small, [...FEATURES, "simd"]);
+  compare("web with SIMD", [plain, small], SIMD_LIMITS);
 });
 
 test("optimised modules render the same", async () => {
