@@ -1,7 +1,6 @@
 //! Boxes along the axes, in `f32` whatever the number type of the scene.
 
-use crate::math::LANES;
-use crate::math::{Real, Vec3};
+use crate::math::{LANES, Real, Vec3};
 use crate::scene::{Shape, Sphere};
 
 /// A box along the axes.
