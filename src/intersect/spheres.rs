@@ -120,22 +120,21 @@ fn near_side_by_side<T: Real>([x, y, z]: [Lanes; 3], radius: Lanes, ray: &Ray<T>
 /// The same for one lane after the other, of which most are done with when it is known how far beside the ray they are.
 #[inline(never)]
 fn near_one_by_one<T: Real>(cluster: &Cluster<T>, ray: &Ray<T>, limit: T) -> u32 {
-    let mut lanes = 0;
-    let spheres = cluster.x.iter().zip(&cluster.y).zip(&cluster.z).zip(&cluster.radius);
-    for (lane, (((x, y), z), radius)) in spheres.enumerate().take(cluster.count.into()) {
+    let Cluster { x, y, z, radius, .. } = cluster;
+    let is_near = |(((x, y), z), radius): (((&T, &T), &T), &T)| {
         let f = Vec3::new(*x, *y, *z) - ray.origin;
         let along = f.dot(ray.direction);
         let square = radius.product(*radius);
         let outside = T::less(f.square(), 64.0) - square;
         if along.product(along) < outside || (along < T::ZERO && T::NOTHING < outside) {
-            continue;
+            return false;
         }
         let past = along * T::from_f32(NEARER) - limit;
-        if past <= T::ZERO || past.product(past) <= square {
-            lanes |= 1 << lane;
-        }
-    }
-    lanes
+        past <= T::ZERO || past.product(past) <= square
+    };
+    let spheres = x.iter().zip(y).zip(z).zip(radius).take(cluster.count.into());
+    // From the last to the first: each bit is shifted to its place by those that come after it.
+    spheres.rev().fold(0, |lanes, sphere| lanes << 1 | u32::from(is_near(sphere)))
 }
 
 /// The share of f·d that is surely left of it.
