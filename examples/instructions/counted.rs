@@ -8,7 +8,7 @@ use whit::render::{ForEach, Pixel, Size};
 use whit::scene::{Hierarchy, Leaf, Node, Sphere, nff};
 use whit::{Effects, Frame, Object, Scene, SceneBuf, Settings, Shape, Stats, Tracer, scenes};
 
-use crate::subject::{FILE, LARGEST, Subject};
+use crate::subject::{LARGEST, Subject};
 
 /// Of the pictures, of one sample a pixel.
 pub const SIZE: Size = Size::new(64, 48);
@@ -41,7 +41,7 @@ pub fn run(subject: Subject) -> Result<(), String> {
     match subject {
         Subject::BuiltIn(name) => with_built_in!(draw_built_in(name, draw;)),
         Subject::Flake(count) => flake(count, |scene| in_boxes(scene, draw_flake)),
-        Subject::File => file(|scene| in_boxes(scene, draw_file)),
+        Subject::File(name) => file(name, |scene| in_boxes(scene, draw_file)),
         Subject::Building => flake(LARGEST, build),
     }
 }
@@ -54,7 +54,7 @@ pub fn rays(subject: Subject) -> Result<Option<u64>, String> {
             scene.map(|(_, scene)| count_rays(&scene)).transpose()
         }
         Subject::Flake(count) => flake(count, |scene| in_boxes(scene, count_rays)).map(Some),
-        Subject::File => file(|scene| in_boxes(scene, count_rays)).map(Some),
+        Subject::File(name) => file(name, |scene| in_boxes(scene, count_rays)).map(Some),
         Subject::Building => Ok(None),
     }
 }
@@ -106,8 +106,8 @@ fn flake<R>(count: usize, work: impl FnOnce(&Scene<'_, f32>) -> Result<R, String
     work(&scenes::FLAKE.with_objects(&objects))
 }
 
-fn file<R>(work: impl FnOnce(&Scene<'_, f32>) -> Result<R, String>) -> Result<R, String> {
-    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/nff")).join(FILE);
+fn file<R>(name: &str, work: impl FnOnce(&Scene<'_, f32>) -> Result<R, String>) -> Result<R, String> {
+    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/nff")).join(name);
     let failed = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     let text = std::fs::read(&path).map_err(|error| failed(&error))?;
     let mut scene = Box::new(SceneBuf::<f32, 2048, 8>::EMPTY);

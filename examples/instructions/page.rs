@@ -7,7 +7,7 @@ use crate::count::Count;
 use crate::counted;
 use crate::profile::{self, Profile};
 use crate::record::{Machine, Record};
-use crate::subject::{FILE, LARGEST};
+use crate::subject::LARGEST;
 
 /// The scenes of which the page says where their instructions go.
 pub const PROFILED: [&str; 2] = ["card", "showcase"];
@@ -80,8 +80,9 @@ fn write_host(page: &mut String, machine: &Machine, records: &[Record], counts: 
     )?;
     writeln!(
         page,
-        "\nA `flake of` so many is the sphere-flake, of so many single spheres on a floor, in a hierarchy of boxes;\n\
-         `{FILE}` is a file of triangles, in one too; `building of {LARGEST}` builds the hierarchy of the largest flake.\n"
+        "\nA `flake of` so many is the sphere-flake, of so many single spheres on a floor, in a hierarchy of boxes; what ends in\n\
+         `.nff` is a file of the Standard Procedural Databases, in one too, by a tracer for all that such a file can call for;\n\
+         `building of {LARGEST}` builds the hierarchy of the largest flake.\n"
     )?;
     page.push_str("| scene | instructions | rays | a ray |\n|---|--:|--:|--:|\n");
     for Record { scene, instructions, rays, .. } in records {

@@ -9,8 +9,8 @@ pub enum Subject {
     BuiltIn(&'static str),
     /// A sphere-flake of so many single spheres on a floor, by a hierarchy.
     Flake(usize),
-    /// A scene file of triangles, by a hierarchy.
-    File,
+    /// A scene file, by a hierarchy.
+    File(&'static str),
     /// To build the hierarchy of the largest sphere-flake.
     Building,
 }
@@ -19,14 +19,14 @@ pub enum Subject {
 pub const FLAKES: [usize; 4] = [10, 91, 820, LARGEST];
 /// The most.
 pub const LARGEST: usize = 7381;
-/// The scene file, a size 1 gear of the Standard Procedural Databases.
-pub const FILE: &str = "gears_s1.nff";
+/// The scene files, of the Standard Procedural Databases in their smaller sizes.
+pub const FILES: [&str; 5] = ["gears_s1.nff", "rings_s1.nff", "teapot_s1.nff", "tetra_s3.nff", "tree_s2.nff"];
 
 impl Subject {
     /// All of them.
     pub fn all() -> Vec<Self> {
         let scenes = scenes::ALL.into_iter().map(|(name, _)| Self::BuiltIn(name));
-        scenes.chain(FLAKES.map(Self::Flake)).chain([Self::File, Self::Building]).collect()
+        scenes.chain(FLAKES.map(Self::Flake)).chain(FILES.map(Self::File)).chain([Self::Building]).collect()
     }
 
     /// By its name.
@@ -38,9 +38,8 @@ impl Subject {
     /// As the record has it.
     pub fn name(self) -> String {
         match self {
-            Self::BuiltIn(name) => name.to_owned(),
+            Self::BuiltIn(name) | Self::File(name) => name.to_owned(),
             Self::Flake(count) => format!("flake of {count}"),
-            Self::File => FILE.to_owned(),
             Self::Building => format!("building of {LARGEST}"),
         }
     }
