@@ -1,8 +1,8 @@
-// How fast modules of the page are: nanoseconds of processor time a ray, and the ratio to the first module.
+// How large modules of the page are, and how fast: nanoseconds of processor time a ray, and the ratio to the first module.
 //
 //     node tests/web/speed.js MODULE.wasm...
 
-import { readFileSync } from "node:fs";
+import { readFileSync, statSync } from "node:fs";
 
 const SCENES = ["showcase", "card", "glass", "bubble"];
 
@@ -27,7 +27,9 @@ function nanoseconds(module, scene) {
   return ((process.cpuUsage().user - begin) * 1000) / module.rays();
 }
 
-const modules = await Promise.all(process.argv.slice(2).map(instance));
+const files = process.argv.slice(2);
+for (const file of files) console.log(`${file}: ${statSync(file).size} bytes`);
+const modules = await Promise.all(files.map(instance));
 for (const scene of SCENES) {
   // The best of three, each after the others' turn.
   const best = modules.map(() => Infinity);
