@@ -128,7 +128,7 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             if self.current.is_none() {
                 self.current = pending.pop();
             }
-            let Some(branch) = self.current else { return true };
+            let Some(mut branch) = self.current else { return true };
             if *rays == 0 {
                 return false;
             }
@@ -141,14 +141,14 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             }
             self.rays_left -= 1;
             observer.ray(branch.kind);
-            self.follow::<EFFECTS, O>(branch, pending, context, rays, observer);
+            self.follow::<EFFECTS, O>(&mut branch, pending, context, rays, observer);
         }
     }
 
     /// Follows a branch to the next surface: looks at its lights next, and spawns its children.
     fn follow<const EFFECTS: u64, O: Observer>(
         &mut self,
-        mut branch: Branch<T, MEDIA>,
+        branch: &mut Branch<T, MEDIA>,
         pending: &mut VecView<Branch<T, MEDIA>>,
         context: &Context<'_, 'a, T>,
         rays: &mut u32,
@@ -157,7 +157,7 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         let scene = context.scene;
         let mut bent = None;
         let hit = if path::is_bent::<EFFECTS>() {
-            let Some(way) = self.bend::<EFFECTS, O>(&mut branch, context, rays, observer) else { return };
+            let Some(way) = self.bend::<EFFECTS, O>(branch, context, rays, observer) else { return };
             bent = Some((way.direction, way.distance));
             way.hit
         } else {
@@ -188,21 +188,21 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
             branch.kind = RayKind::Passed;
             branch.passed = branch.passed.saturating_add(1);
             if branch.passed < MOST_PASSED {
-                self.current = Some(branch);
+                self.current = Some(*branch);
             } else {
-                self.cut::<EFFECTS, O>(context, &branch, Cut::Passed, observer);
+                self.cut::<EFFECTS, O>(context, branch, Cut::Passed, observer);
             }
             return;
         }
         let (material, fresnel) = (&hit.object.material, scene.fresnel);
-        let meeting = Meeting { branch: &branch, material, surface: &surface, border: &border, fresnel };
+        let meeting = Meeting { branch, material, surface: &surface, border: &border, fresnel };
         let body = if branch.channel.is_none() && border.is_dispersive::<EFFECTS>() {
             self.disperse::<EFFECTS, O>(&meeting, pending, context, observer);
             T::ONE
         } else {
             self.split::<EFFECTS, O>(&meeting, pending, context, observer)
         };
-        self.shading = Shading::new::<EFFECTS>(material, &surface, &branch, body);
+        self.shading = Shading::new::<EFFECTS>(material, &surface, branch, body);
         if let Some(shading) = &self.shading {
             self.gathered += shading.emitted::<EFFECTS>();
         }
