@@ -118,10 +118,10 @@ impl<'a, T: Real, const MEDIA: usize> Shading<'a, T, MEDIA> {
             };
             if let Some(arriving) = arriving {
                 let sent = arriving.color.held_product(self.response::<EFFECTS>(arriving.ray.direction));
-                let strongest = sent.max_channel();
-                // Huge lights may overflow, and what nothing of them gets through must still be black.
-                let sent = if strongest > T::MAX { sent.min(Rgb::grey(T::MAX)) } else { sent };
-                if strongest > T::ZERO {
+                let sum = sent.r.plus(sent.g).plus(sent.b);
+                if sum > T::ZERO {
+                    // Huge lights may overflow, and what nothing of them gets through must still be black.
+                    let sent = if sum > T::MAX { sent.min(Rgb::grey(T::MAX)) } else { sent };
                     if *rays == 0 {
                         return false;
                     }
