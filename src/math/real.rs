@@ -120,6 +120,13 @@ pub trait Real:
         Self::from_u32(bits >> 8) * Self::from_f32(1.0 / 16_777_216.0)
     }
 
+    /// Whether a number without fraction is even.
+    #[inline]
+    fn is_even(self) -> bool {
+        let half = self * Self::HALF;
+        half == half.floor()
+    }
+
     /// What rounding took from a product: self·other − product, exactly, for `product` = self·other as it is computed.
     fn product_error(self, other: Self, product: Self) -> Self;
 
@@ -227,6 +234,11 @@ impl Real for f32 {
         let truncated = self as i32 as f32;
         let whole = if truncated > self { truncated - 1.0 } else { truncated };
         if Self::abs(self) < 8_388_608.0 { whole } else { self }
+    }
+    #[inline]
+    fn is_even(self) -> bool {
+        // From 2²⁴ on all are.
+        Self::abs(self) >= 16_777_216.0 || self as i32 & 1 == 0
     }
 }
 

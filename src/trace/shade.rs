@@ -198,15 +198,13 @@ fn color_at<T: Real, const EFFECTS: u64>(pattern: &Pattern<T>, point: Vec3<T>) -
         Pattern::Solid(color) => color,
         Pattern::Checker { even, odd, u, v } if effects.has(Effects::CHECKER) => {
             let cell = |axis: Vec3<T>| T::held(point.products(axis)).floor();
-            let half = cell(u).plus(cell(v)) * T::HALF;
-            if half == half.floor() { even } else { odd }
+            if cell(u).plus(cell(v)).is_even() { even } else { odd }
         }
         Pattern::Gradient { from, to, origin, axis } if effects.has(Effects::GRADIENT) => {
             from.mix(to, T::held((point - origin).products(axis)).max(T::ZERO).min(T::ONE))
         }
         Pattern::Rings { even, odd, center, width } if effects.has(Effects::RINGS) => {
-            let half = ((point - center).length() / width).floor() * T::HALF;
-            if half == half.floor() { even } else { odd }
+            if ((point - center).length() / width).floor().is_even() { even } else { odd }
         }
         _ => Rgb::BLACK,
     }
