@@ -85,8 +85,8 @@ pub(crate) fn locate<T: Real>(sphere: &Sphere<T>, ray: &Ray<T>, contact: &Contac
     }
     let solid = sphere.radius > T::ZERO;
     // A sphere far smaller than a rounding of its distance is met in its centre.
-    let facing = if contact.front() == solid { -ray.direction } else { ray.direction };
-    let outward = ((ray.origin - sphere.center) + ray.direction * contact.t).normalized_or(facing);
+    let facing = || if contact.front() == solid { -ray.direction } else { ray.direction };
+    let outward = T::unit((ray.origin - sphere.center) + ray.direction * contact.t).unwrap_or_else(facing);
     let normal = if solid { outward } else { -outward };
     let radius = sphere.radius.abs();
     let local = outward * radius;

@@ -57,12 +57,22 @@ enum Phase {
     Sample,
     /// Go on with the tree of the current sample.
     Trace,
-    /// Hand over a finished pixel.
+    /// Hand over a finished pixel once more, which the framebuffer has refused.
     Put(Rgb<f32>),
     /// Report the end of a row.
     EndRow(u32),
     /// Nothing.
     Done,
+}
+
+/// What following a tree came to.
+enum Traced {
+    /// The rays were used up first.
+    Part,
+    /// A sample is done, and its pixel is not.
+    Sample,
+    /// A pixel is done.
+    Pixel(Rgb<f32>),
 }
 
 /// A picture, or some rows of one, that is rendered as far as asked.
@@ -180,28 +190,30 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
         }
         let mut rays = rays;
         loop {
-            match self.phase {
-                Phase::Sample | Phase::Trace => {
-                    if !self.trace(&mut rays) {
-                        return Ok(Progress::More);
-                    }
-                }
-                Phase::Put(color) => {
-                    let Cursor { x, y, cell, .. } = self.cursor;
-                    let pixel = Pixel { x, y, cell, color };
-                    target.put(pixel).map_err(RenderError::Framebuffer)?;
-                    let next = self.cursor.advance(self.job.size.width, &self.job.rows);
-                    if Self::SAMPLES || self.job.plan.is_sequence() {
-                        self.sequence = Sequence::new(self.cursor.x, self.cursor.y);
-                    }
-                    self.phase = if next == Next::SameRow { Phase::Sample } else { Phase::EndRow(y) };
-                }
+            let color = match self.phase {
+                Phase::Sample | Phase::Trace => match self.trace(&mut rays) {
+                    Traced::Pixel(color) => color,
+                    Traced::Sample => continue,
+                    Traced::Part => return Ok(Progress::More),
+                },
+                Phase::Put(color) => color,
                 Phase::EndRow(y) => {
                     target.end_row(y).map_err(RenderError::Framebuffer)?;
                     self.phase = if self.cursor.cell == 0 { Phase::Done } else { Phase::Sample };
+                    continue;
                 }
                 Phase::Done => return Ok(Progress::Done),
+            };
+            let Cursor { x, y, cell, .. } = self.cursor;
+            if let Err(error) = target.put(Pixel { x, y, cell, color }) {
+                self.phase = Phase::Put(color);
+                return Err(RenderError::Framebuffer(error));
             }
+            let next = self.cursor.advance(self.job.size.width, &self.job.rows);
+            if Self::SAMPLES || self.job.plan.is_sequence() {
+                self.sequence = Sequence::new(self.cursor.x, self.cursor.y);
+            }
+            self.phase = if next == Next::SameRow { Phase::Sample } else { Phase::EndRow(y) };
         }
     }
 
@@ -218,8 +230,8 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
         self.view.ray::<EFFECTS>(x, y, || samples.point(Sequence::LENS))
     }
 
-    /// Follows the tree of the current sample; `false` when the rays are used up first.
-    fn trace(&mut self, rays: &mut u32) -> bool {
+    /// Follows the tree of the current sample.
+    fn trace(&mut self, rays: &mut u32) -> Traced {
         let scene = self.tracer.scene();
         if matches!(self.phase, Phase::Sample) {
             self.tree.start::<EFFECTS, O>(self.eye_ray(), self.job.rays_per_sample, scene, &mut self.observer);
@@ -227,15 +239,16 @@ impl<'a, T: Real, const EFFECTS: u64, const DEPTH: usize, O: Observer, const MED
         let context = Context { scene, budget: &self.job.budget, samples: self.samples() };
         let Some(light) = self.tree.advance::<EFFECTS, O>(&context, rays, &mut self.observer) else {
             self.phase = Phase::Trace;
-            return false;
+            return Traced::Part;
         };
-        self.phase = Phase::Sample;
-        if self.pixel.add(light, &self.job.plan) {
-            self.observer.pixel(self.cursor.x, self.cursor.y, self.pixel.count);
-            self.phase = Phase::Put(finite(self.tone(self.pixel.mean()).map(T::to_f32)));
-            self.pixel.clear();
+        if !self.pixel.add(light, &self.job.plan) {
+            self.phase = Phase::Sample;
+            return Traced::Sample;
         }
-        true
+        self.observer.pixel(self.cursor.x, self.cursor.y, self.pixel.count);
+        let color = finite(self.tone(self.pixel.mean()).map(T::to_f32));
+        self.pixel.clear();
+        Traced::Pixel(color)
     }
 
     fn tone(&self, light: Rgb<T>) -> Rgb<T> {
