@@ -28,7 +28,9 @@ pub(crate) fn intersect<T: Real>(plane: &Plane<T>, ray: &Ray<T>, limit: T, outsi
 /// the move; 8 are taken.
 #[inline]
 pub(crate) fn locate<T: Real>(point: Vec3<T>, anchor: Vec3<T>, direction: Vec3<T>) -> Located<T> {
-    let normal = direction.normalized();
+    // Mostly it has length 1, and then is its own normal.
+    let is_unit = !T::IS_FIXED && direction.length_squared() == T::ONE;
+    let normal = if is_unit { direction } else { direction.normalized() };
     if T::IS_FIXED {
         return fixed_point::locate_on_plane(point, anchor, direction, normal);
     }
