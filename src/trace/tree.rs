@@ -202,10 +202,11 @@ impl<'a, T: Real, const MEDIA: usize> Walk<'a, T, MEDIA> {
         } else {
             self.split::<EFFECTS, O>(&meeting, pending, context, observer)
         };
-        self.shading = Shading::new::<EFFECTS>(material, &surface, branch, body);
-        if let Some(shading) = &self.shading {
+        let shading = Shading::new::<EFFECTS>(material, &surface, branch, body);
+        if let Some(shading) = &shading {
             self.gathered += shading.emitted::<EFFECTS>();
         }
+        self.shading = shading;
     }
 
     /// Takes a branch along its bent path; `None` where that ends the branch.
