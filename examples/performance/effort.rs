@@ -5,8 +5,8 @@ pub struct Effort {
     pub rounds: usize,
     /// Pixels a side of the business card.
     pub card: u32,
-    /// Of the flakes.
-    pub flake: u32,
+    /// Of the pictures that are compared with other programs'.
+    pub picture: u32,
     /// Of the curves.
     pub curve: u32,
     /// Spheres of the flakes.
@@ -28,7 +28,7 @@ impl Effort {
     pub const FULL: Self = Self {
         rounds: 5,
         card: 512,
-        flake: 512,
+        picture: 512,
         curve: 256,
         flakes: &[1, 10, 91, 820, 7381],
         counts: &[10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 20_000, 50_000, 100_000],
@@ -39,7 +39,7 @@ impl Effort {
     pub const QUICK: Self = Self {
         rounds: 2,
         card: 128,
-        flake: 128,
+        picture: 128,
         curve: 64,
         flakes: &[10, 820],
         counts: &[10, 100, 1000, 10_000],

@@ -18,8 +18,10 @@ mod callgrind;
 mod card;
 mod chart;
 mod clock;
+mod contest;
 mod crossing;
 mod curve;
+mod databases;
 mod effort;
 mod flake;
 mod page;
@@ -78,6 +80,7 @@ fn write(path: &std::path::Path, effort: &Effort) -> Result<(), String> {
     page.write(&[
         card::measure(&programs, effort)?,
         flake::measure(&programs, effort)?,
+        databases::measure(&programs, effort)?,
         replay::measure(&programs, effort)?,
         curve::measure(&programs, effort, &page.images)?,
         threads::measure(effort)?,

@@ -25,11 +25,6 @@ impl RayFiles {
         let [closest, shadow] = numbers(&mut command)?.map(|count: f64| count as usize);
         Ok(Self { rays, shapes, closest, shadow })
     }
-
-    /// Centre and radius of each sphere.
-    pub fn spheres(&self) -> Result<Vec<[f32; 4]>, String> {
-        records(&self.shapes)
-    }
 }
 
 /// The numbers of a file, by so many.

@@ -65,7 +65,7 @@ fn version(embree: &Path) -> Result<String, String> {
 
 fn line<'a>(programs: &'a Programs, embree: &Path, effort: &Effort, count: usize) -> Result<Line<'a>, String> {
     eprintln!("rays of a flake of {count}");
-    let files = RayFiles::write(programs, "flake", count, effort.flake)?;
+    let files = RayFiles::write(programs, "flake", count, effort.picture)?;
     let each = [files.closest, files.shadow, count].map(|number| number as f64);
     let by_each = move |[build, closest, shadow]: [f64; 3]| [closest / each[0], shadow / each[1], build / each[2]];
     let mut rounds = Rounds::new();
