@@ -77,6 +77,9 @@ struct Span<T> {
 
 /// The first visible contact nearer than `limit`.
 pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
+    if goes_past(cone, ray) {
+        return None;
+    }
     let axis = Axis::new(cone);
     let ends = between_ends(cone, &axis, ray)?;
     if T::IS_FIXED && (ends.enter.0 >= limit || ends.leave.0 <= T::ZERO) {
@@ -105,6 +108,23 @@ pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside
         }
     }
     None
+}
+
+/// Whether a ray surely goes past the sphere around a cone, or away from it.
+///
+/// With f from the origin to the middle of the axis, the line meets the sphere where (f·d)² ≥ f² − r². An origin outside has
+/// both ends within 2·|f|, so that f is good to 8u·|f|, and both sides to 32u·f²; 64 are taken.
+#[inline]
+fn goes_past<T: Real>(cone: &Cone<T>, ray: &Ray<T>) -> bool {
+    if T::IS_FIXED {
+        return false;
+    }
+    let middle = ((cone.base - ray.origin) + (cone.apex - ray.origin)) * T::HALF;
+    let half = (cone.apex - cone.base) * T::HALF;
+    let radius = cone.base_radius.abs().max(cone.apex_radius.abs());
+    let along = middle.dot(ray.direction);
+    let outside = middle.length_squared().lowered(64.0) - (half.length_squared() + radius * radius);
+    along * along < outside || (along < T::ZERO && outside > T::ZERO)
 }
 
 impl<T: Real> Passage<T> {
