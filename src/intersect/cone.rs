@@ -76,10 +76,13 @@ struct Span<T> {
 }
 
 /// The first visible contact nearer than `limit`.
+#[inline]
 pub(crate) fn intersect<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
-    if goes_past(cone, ray) {
-        return None;
-    }
+    if goes_past(cone, ray) { None } else { intersect_near(cone, ray, limit, outside_only) }
+}
+
+/// The same with a cone that the ray may meet.
+fn intersect_near<T: Real>(cone: &Cone<T>, ray: &Ray<T>, limit: T, outside_only: bool) -> Option<Contact<T>> {
     let axis = Axis::new(cone);
     let ends = between_ends(cone, &axis, ray)?;
     if T::IS_FIXED && (ends.enter.0 >= limit || ends.leave.0 <= T::ZERO) {
@@ -119,11 +122,12 @@ fn goes_past<T: Real>(cone: &Cone<T>, ray: &Ray<T>) -> bool {
     if T::IS_FIXED {
         return false;
     }
-    let middle = ((cone.base - ray.origin) + (cone.apex - ray.origin)) * T::HALF;
-    let half = (cone.apex - cone.base) * T::HALF;
-    let radius = cone.base_radius.abs().max(cone.apex_radius.abs());
+    // All lengths are twice what they are.
+    let middle = (cone.base - ray.origin) + (cone.apex - ray.origin);
+    let radius = cone.base_radius.abs().max(cone.apex_radius.abs()) * T::TWO;
     let along = middle.dot(ray.direction);
-    let outside = middle.length_squared().lowered(64.0) - (half.length_squared() + radius * radius);
+    let square = (cone.apex - cone.base).length_squared() + radius * radius;
+    let outside = middle.length_squared().lowered(64.0) - square;
     along * along < outside || (along < T::ZERO && outside > T::ZERO)
 }
 
@@ -233,4 +237,35 @@ pub(crate) fn cap<T: Real>(cone: &Cone<T>, contact: &Contact<T>) -> (Vec3<T>, Ve
     };
     let away = center - other;
     (center, if radius < T::ZERO { -away } else { away })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trace::Sequence;
+
+    /// Rays that touch the sphere around a cone at its rim, where the cone does, from ever farther away and from next to it.
+    #[test]
+    fn cones_that_are_met_are_not_gone_past() {
+        let mut hits = 0;
+        for round in 0..40_000_u32 {
+            let number = |i: u32| Sequence::new(round, i).point::<f32>(0, 0)[0] * 2.0 - 1.0;
+            let vector = |i| Vec3::new(number(i), number(i + 1), number(i + 2));
+            let scale = 10_f32.powi((number(900) * 8.0) as i32);
+            let (base, axis) = (vector(0) * scale, vector(10) * scale);
+            let radius = axis.length() * 10_f32.powi((number(901) * 3.0) as i32);
+            let capped = round % 2 == 0;
+            let cone = Cone { base, apex: base + axis, base_radius: radius, apex_radius: radius * 0.5, capped };
+            let across = axis.cross(vector(20)).normalized();
+            let rim = base + across * (radius * (1.0 - 1e-7));
+            let along = vector(30).cross(rim - (base + axis * 0.5)).normalized();
+            let origin = rim - along * (scale * 10_f32.powi(round as i32 % 9 - 3));
+            let ray = Ray { origin, direction: (rim - origin).normalized() };
+            if intersect_near(&cone, &ray, f32::MAX, false).is_some() {
+                assert!(!goes_past(&cone, &ray), "{cone:?} {ray:?}");
+                hits += 1;
+            }
+        }
+        assert!(hits > 4000, "{hits}");
+    }
 }
