@@ -48,5 +48,11 @@ fn contest<'a>(programs: &'a Programs, effort: &Effort, count: usize) -> Result<
     let is_short = |(layout, _): &Layout| *layout != "packed" || count <= LONGEST_LIST;
     let layouts: Vec<Layout> = LAYOUTS.into_iter().filter(is_short).collect();
     let (name, count) = (format!("flake-{count}"), count.to_string());
-    Contest::run(programs, effort, (&name, &scene, &["render", "flake", &count]), &layouts, std::slice::from_ref(&count))
+    Contest::run(
+        programs,
+        effort,
+        (&name, &scene, &["render", "flake", &count]),
+        &layouts,
+        std::slice::from_ref(&count),
+    )
 }

@@ -13,8 +13,8 @@ import { modules, serve, simdModules } from "./server.js";
 /** The most bytes of each module. The aims are 32 KiB for `web` and 6 KiB for `web_card`, after wasm-opt. */
 const LIMITS = {
   web: { plain: 170_000, optimised: 122_000 },
-  web_f64: { plain: 188_000, optimised: 137_000 },
-  web_fast: { plain: 176_000, optimised: 127_500 },
+  web_f64: { plain: 189_000, optimised: 137_800 },
+  web_fast: { plain: 176_800, optimised: 128_100 },
   web_q20: { plain: 167_500, optimised: 118_500 },
   web_nff: { plain: 61_500, optimised: 51_500 },
   web_card: { plain: 14_650, optimised: 12_100 },
