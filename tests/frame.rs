@@ -203,17 +203,18 @@ fn every_pixel_is_put_once_and_every_row_ended() {
 fn a_failing_target_loses_nothing() {
     let size = Size::new(9, 4);
     let settings = || Settings { order: Order::CoarseToFine, ..Settings::new(size.width, size.height) };
-    let expected = {
+    let (expected, stats) = {
         let mut pixels = [Rgb::BLACK; 36];
         let tracer = whit::tracer!(scenes::SPHERES);
-        Frame::new(&tracer, settings()).unwrap().render(&mut LinearRgb::new(size, &mut pixels).unwrap()).unwrap();
-        pixels
+        let mut frame = Frame::observed(&tracer, settings(), Stats::default()).unwrap();
+        frame.render(&mut LinearRgb::new(size, &mut pixels).unwrap()).unwrap();
+        (pixels, *frame.observer())
     };
     for call in 0..50 {
         let mut pixels = [Rgb::BLACK; 36];
         let tracer = whit::tracer!(scenes::SPHERES);
         let mut target = Failing::new(Counting::new(LinearRgb::new(size, &mut pixels).unwrap()), call);
-        let mut frame = Frame::new(&tracer, settings()).unwrap();
+        let mut frame = Frame::observed(&tracer, settings(), Stats::default()).unwrap();
         let failed = frame.render(&mut target);
         if target.calls() > call {
             assert_eq!(failed, Err(RenderError::Framebuffer(Failure::Planned)), "call {call}");
@@ -221,6 +222,7 @@ fn a_failing_target_loses_nothing() {
         frame.render(&mut target).unwrap();
         assert!(target.inner.pixels.iter().all(|&n| n == 1), "call {call}");
         assert_eq!(pixels, expected, "call {call}");
+        assert_eq!(*frame.observer(), stats, "call {call}: no ray is traced twice");
     }
 }
 

@@ -242,15 +242,15 @@ pub(crate) fn cap<T: Real>(cone: &Cone<T>, contact: &Contact<T>) -> (Vec3<T>, Ve
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trace::Sequence;
+    use crate::intersect::numbers::Numbers;
 
     /// Rays that touch the sphere around a cone at its rim, where the cone does, from ever farther away and from next to it.
     #[test]
     fn cones_that_are_met_are_not_gone_past() {
         let mut hits = 0;
         for round in 0..40_000_u32 {
-            let number = |i: u32| Sequence::new(round, i).point::<f32>(0, 0)[0] * 2.0 - 1.0;
-            let vector = |i| Vec3::new(number(i), number(i + 1), number(i + 2));
+            let numbers = Numbers(round);
+            let (number, vector) = (|i| numbers.number(i), |i| numbers.vector(i));
             let scale = 10_f32.powi((number(900) * 8.0) as i32);
             let (base, axis) = (vector(0) * scale, vector(10) * scale);
             let radius = axis.length() * 10_f32.powi((number(901) * 3.0) as i32);

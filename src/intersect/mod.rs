@@ -8,6 +8,8 @@ mod cone;
 mod fixed_point;
 mod hit;
 mod intersection;
+#[cfg(test)]
+mod numbers;
 mod plane;
 mod ray;
 mod search;

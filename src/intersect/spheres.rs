@@ -143,8 +143,8 @@ const NEARER: f32 = 1.0 - 1.0 / 1024.0;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::intersect::numbers::Numbers;
     use crate::scene::{PackedSpheres, Sphere};
-    use crate::trace::Sequence;
 
     /// The sieve loses nothing: the same contact as from each sphere in full, over 16 decades of size and distance,
     /// with spheres turned inside out among them, from outside and from inside.
@@ -152,8 +152,8 @@ mod tests {
     fn packed_spheres_give_the_contacts_of_each_sphere() {
         let mut hits = 0;
         for round in 0..4000_u32 {
-            let number = |i: u32| Sequence::new(round, i).point::<f32>(0, 0)[0] * 2.0 - 1.0;
-            let vector = |i| Vec3::new(number(i), number(i + 1), number(i + 2));
+            let numbers = Numbers(round);
+            let (number, vector) = (|i| numbers.number(i), |i| numbers.vector(i));
             let (scale, away) = (10_f32.powi((number(900) * 8.0) as i32), 10_f32.powi((number(901) * 4.0) as i32));
             let spheres: [Sphere<f32>; 70] = core::array::from_fn(|i| Sphere {
                 center: vector(8 * i as u32) * scale,
@@ -195,7 +195,7 @@ mod tests {
     fn the_box_is_not_missed_where_a_sphere_is_met() {
         let mut hits = 0;
         for round in 0..40_000_u32 {
-            let number = |i: u32| Sequence::new(round, i).point::<f32>(0, 0)[0] * 2.0 - 1.0;
+            let number = |i| Numbers(round).number(i);
             let center = Vec3::new(number(0), number(1), number(2));
             let sphere = Sphere { center, radius: 0.5 + 0.25 * number(3) };
             let list = PackedSpheres::<f32, 1, 1>::new(&[sphere]);

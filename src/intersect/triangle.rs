@@ -264,7 +264,7 @@ fn weigh<T: Real>([a, b, c]: &[Vec3<T>; 3], [u, v, w]: [T; 3]) -> Vec3<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trace::Sequence;
+    use crate::intersect::numbers::Numbers;
 
     /// Rays from a triangle's plane and from next to it, over 12 decades, compared with the same in twice the digits of
     /// `f64`. A third of the triangles lie along two axes.
@@ -272,8 +272,8 @@ mod tests {
     fn what_leaves_a_triangle_does_not_meet_it() {
         let mut left = 0;
         for round in 0..60_000_u32 {
-            let number = |i: u32| Sequence::new(round, i).point::<f32>(0, 0)[0] * 2.0 - 1.0;
-            let vector = |i| Vec3::new(number(i), number(i + 1), number(i + 2));
+            let numbers = Numbers(round);
+            let (number, vector) = (|i| numbers.number(i), |i| numbers.vector(i));
             let (scale, away) = (10_f32.powi((number(900) * 6.0) as i32), vector(800) * (10.0 * (number(901) + 1.0)));
             let mut vertices = [0, 10, 20].map(|i| (vector(i) + away) * scale);
             if round % 3 == 0 {

@@ -291,3 +291,17 @@ impl Real for f64 {
         libm::floor(self)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whole_numbers_are_even_as_their_remainders_say() {
+        let near = |power: u32| (-3..=3).map(move |step: i32| 2_f32.powi(power as i32) + step as f32);
+        for x in (0..40).flat_map(near).flat_map(|x| [x, -x]).filter(|x| x.fract() == 0.0).chain([1e30, f32::MAX]) {
+            assert_eq!(x.is_even(), f64::from(x) % 2.0 == 0.0, "{x}");
+            assert_eq!(f64::from(x).is_even(), f64::from(x) % 2.0 == 0.0, "{x}");
+        }
+    }
+}
