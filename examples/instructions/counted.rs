@@ -6,8 +6,9 @@ use std::path::Path;
 
 use whit::render::{ForEach, Pixel, Size};
 use whit::scene::{Hierarchy, Leaf, Node, Sphere, nff};
-use whit::{Effects, Frame, Object, Scene, SceneBuf, Settings, Shape, Stats, Tracer, scenes};
+use whit::{Effects, Frame, Object, Scene, Settings, Shape, Stats, Tracer, scenes};
 
+use crate::files;
 use crate::subject::{LARGEST, Subject};
 
 /// Of the pictures, of one sample a pixel.
@@ -108,11 +109,7 @@ fn flake<R>(count: usize, work: impl FnOnce(&Scene<'_, f32>) -> Result<R, String
 
 fn file<R>(name: &str, work: impl FnOnce(&Scene<'_, f32>) -> Result<R, String>) -> Result<R, String> {
     let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/nff")).join(name);
-    let failed = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
-    let text = std::fs::read(&path).map_err(|error| failed(&error))?;
-    let mut scene = Box::new(SceneBuf::<f32, 2048, 8>::EMPTY);
-    nff::read_bytes(&text, &mut *scene).map_err(|error| failed(&error))?;
-    work(&scene.as_scene())
+    work(&files::read(&path)?.as_scene())
 }
 
 fn in_boxes<R>(scene: &Scene<'_, f32>, work: impl FnOnce(&Scene<'_, f32>) -> Result<R, String>) -> Result<R, String> {

@@ -16,6 +16,7 @@ mod callgrind;
 mod compare;
 mod count;
 mod counted;
+mod files;
 #[path = "../effects/library.rs"]
 mod library;
 mod page;

@@ -2,6 +2,8 @@
 
 use whit::scenes;
 
+use crate::files::FILES;
+
 /// Something to count the instructions of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
@@ -19,8 +21,6 @@ pub enum Subject {
 pub const FLAKES: [usize; 4] = [10, 91, 820, LARGEST];
 /// The most.
 pub const LARGEST: usize = 7381;
-/// The scene files, of the Standard Procedural Databases in their smaller sizes.
-pub const FILES: [&str; 5] = ["gears_s1.nff", "rings_s1.nff", "teapot_s1.nff", "tetra_s3.nff", "tree_s2.nff"];
 
 impl Subject {
     /// All of them.

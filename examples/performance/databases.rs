@@ -2,15 +2,11 @@
 
 use std::path::Path;
 
-use whit::SceneBuf;
-use whit::scene::nff;
-
 use crate::contest::{self, Contest, Layout};
 use crate::effort::Effort;
+use crate::files::{self, FILES};
 use crate::programs::Programs;
 use crate::section::Section;
-
-const FILES: [&str; 5] = ["gears_s1", "rings_s1", "teapot_s1", "tetra_s3", "tree_s2"];
 
 const LAYOUTS: [Layout; 2] = [("list", "list"), ("boxes", "hierarchy")];
 
@@ -34,13 +30,10 @@ pub fn measure(programs: &Programs, effort: &Effort) -> Result<Section, String> 
 }
 
 fn contest<'a>(programs: &'a Programs, effort: &Effort, name: &str) -> Result<Contest<'a>, String> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/nff").join(name).with_extension("nff");
-    let failed = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
-    let text = std::fs::read(&path).map_err(|error| failed(&error))?;
-    let mut stored = Box::new(SceneBuf::<f32, 2048, 8>::EMPTY);
-    nff::read_bytes(&text, &mut *stored).map_err(|error| failed(&error))?;
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/nff").join(name);
+    let stored = files::read(&path)?;
     let scene = stored.as_scene();
     let cells = [format!("`{name}`"), scene.objects.len().to_string()];
-    let file = path.to_str().ok_or_else(|| failed(&"a path that is not text"))?;
+    let file = path.to_str().ok_or_else(|| format!("{}: expected a path that is text", path.display()))?;
     Contest::run(programs, effort, (name, &scene, &["file", file]), &LAYOUTS, &cells)
 }

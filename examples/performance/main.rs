@@ -23,6 +23,8 @@ mod crossing;
 mod curve;
 mod databases;
 mod effort;
+#[path = "../instructions/files.rs"]
+mod files;
 mod flake;
 mod page;
 mod picture;

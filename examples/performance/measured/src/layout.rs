@@ -1,10 +1,14 @@
 //! How the objects of a scene lie in memory.
 
+use std::path::Path;
+
+use whit::scene::nff::EFFECTS;
 use whit::scene::{Hierarchy, Leaf, Node, PackedSpheres, Sphere};
 use whit::{Effects, Object, Scene, Shape, Tracer, scenes};
 
 use crate::clock::timed;
 use crate::crowd::Crowd;
+use crate::nff;
 
 /// Something to be done with a tracer.
 pub trait Visitor {
@@ -75,13 +79,33 @@ fn with_shapes<const LIST: u64, const BOXED: u64>(
     let balls = shapes.iter().map(|&shape| Object::new(shape, ball.material));
     let objects: Vec<_> = std::iter::once(*floor).chain(balls).collect();
     let scene = Scene { objects: &objects, ..scenes::FLAKE };
+    with_tracer::<LIST, BOXED>(&scene, boxes, packing, visitor)
+}
+
+/// The scene of a file, by a tracer for all that a file can call for.
+pub fn with_file(path: &Path, layout: &str, visitor: impl Visitor) -> Result<(), String> {
+    let boxes = match layout {
+        "list" => false,
+        "boxes" => true,
+        _ => return Err(format!("{layout}: expected list or boxes")),
+    };
+    let stored = nff::read(path)?;
+    with_tracer::<{ EFFECTS.bits() }, { boxed(EFFECTS) }>(&stored.as_scene(), boxes, 0.0, visitor)
+}
+
+fn with_tracer<const LIST: u64, const BOXED: u64>(
+    scene: &Scene<'_, f32>,
+    boxes: bool,
+    packing: f64,
+    visitor: impl Visitor,
+) -> Result<(), String> {
     if !boxes {
-        let tracer = Tracer::<f32, LIST, DEPTH>::try_new(&scene).map_err(|error| error.to_string())?;
+        let tracer = Tracer::<f32, LIST, DEPTH>::try_new(scene).map_err(|error| error.to_string())?;
         return visitor.visit(&tracer, packing);
     }
     let parts = scene.parts();
     let (mut nodes, mut leaves) = (vec![Node::EMPTY; Hierarchy::nodes(parts)], vec![Leaf::EMPTY; parts]);
-    let (hierarchy, building) = timed(|| Hierarchy::build(&scene, &mut nodes, &mut leaves));
+    let (hierarchy, building) = timed(|| Hierarchy::build(scene, &mut nodes, &mut leaves));
     let scene = scene.with_hierarchy(hierarchy.map_err(|full| full.to_string())?);
     let tracer = Tracer::<f32, BOXED, DEPTH>::try_new(&scene).map_err(|error| error.to_string())?;
     visitor.visit(&tracer, packing + building)

@@ -13,6 +13,8 @@ mod clock;
 mod crowd;
 mod files;
 mod layout;
+#[allow(dead_code)] // The list is for others.
+#[path = "../../../instructions/files.rs"]
 mod nff;
 mod rays;
 mod render;
@@ -31,8 +33,9 @@ fn main() -> ExitCode {
             let render = render::Render { size: number(size)?, picture: picture.as_ref() };
             layout::with_scene(crowd, layout, render)
         }),
-        ["file", file, layout, size, picture] => number(size)
-            .and_then(|size| nff::with_file(file.as_ref(), layout, render::Render { size, picture: picture.as_ref() })),
+        ["file", file, layout, size, picture] => number(size).and_then(|size| {
+            layout::with_file(file.as_ref(), layout, render::Render { size, picture: picture.as_ref() })
+        }),
         ["rays", scene, count, size, rays, shapes] => with_crowd(scene, count, |crowd| {
             let dump = rays::Dump { size: number(size)?, crowd, rays: rays.as_ref(), shapes: shapes.as_ref() };
             layout::with_scene(crowd, "boxes", dump)
