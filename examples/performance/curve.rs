@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::chart::{Line, chart};
 use crate::crossing::{Crossing, crossing};
-use crate::effort::{Effort, LONGEST_LIST, MOST_OBJECTS, MOST_PACKED};
+use crate::effort::{Effort, LONGEST_LIST, MOST_OBJECTS};
 use crate::programs::{Programs, numbers};
 use crate::rounds::Rounds;
 use crate::section::Section;
@@ -37,8 +37,8 @@ pub fn measure(programs: &Programs, effort: &Effort, images: &Path) -> Result<Se
     section.line(&format!(
         "The scene of the flake, with spheres at random or a torus of triangles in place of its balls, {0}×{0} pixels: nanoseconds \
          of processor time a ray, of whole pictures on one thread, of the plain build. Lists end at {LONGEST_LIST}, single \
-         spheres at {MOST_OBJECTS}, because a scene has 65534 objects at most, and packed ones at {MOST_PACKED}, because packing \
-         sorts by insertion; a list of triangles or packed spheres is one object.",
+         spheres at {MOST_OBJECTS}, because a scene has 65534 objects at most; a list of triangles or packed spheres is one \
+         object.",
         effort.curve
     ));
     let mut counts = [effort.counts, &FLAKES].concat();
@@ -58,8 +58,7 @@ pub fn measure(programs: &Programs, effort: &Effort, images: &Path) -> Result<Se
 fn has(effort: &Effort, scene: &str, layout: &str, count: usize) -> bool {
     let most = match (scene, layout) {
         (_, "list" | "packed") => LONGEST_LIST,
-        (_, "packed-boxes") => MOST_PACKED,
-        ("mesh", _) => usize::MAX,
+        ("mesh", _) | (_, "packed-boxes") => usize::MAX,
         _ => MOST_OBJECTS,
     };
     count <= most && if scene == "flake" { &FLAKES } else { effort.counts }.contains(&count)

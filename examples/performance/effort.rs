@@ -21,8 +21,6 @@ pub struct Effort {
 pub const LONGEST_LIST: usize = 1000;
 /// The most objects of a scene, nearly; a list of triangles or of packed spheres is one object.
 pub const MOST_OBJECTS: usize = 50_000;
-/// The most spheres that are packed.
-pub const MOST_PACKED: usize = 10_000;
 
 impl Effort {
     pub const FULL: Self = Self {

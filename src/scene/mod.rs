@@ -10,11 +10,13 @@ mod interface;
 mod light;
 mod material;
 mod medium;
+mod neighbours;
 #[cfg(feature = "nff")]
 pub mod nff;
 mod object;
 mod offset;
 mod packed_spheres;
+mod packing;
 mod pattern;
 mod profile;
 pub mod scenes;

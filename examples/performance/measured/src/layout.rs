@@ -66,7 +66,7 @@ fn with_packed(spheres: &[Sphere<f32>], boxes: bool, visitor: impl Visitor) -> R
             }
         };
     }
-    pack!(1 10 20 50 91 100 200 500 820 1000 2000 5000 7381 10_000)
+    pack!(1 10 20 50 91 100 200 500 820 1000 2000 5000 7381 10_000 20_000 50_000 100_000)
 }
 
 fn with_shapes<const LIST: u64, const BOXED: u64>(
