@@ -223,7 +223,7 @@ fn files_agree_with_the_reference() {
     use whit::{Background, SceneBuf};
     let camera = Camera::look_at(Vec3::new(0.0, 0.0, 1.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 45.0);
     let mut buffer = SceneBuf::<f32, 4096, 8>::new(camera, Background::Solid(Rgb::BLACK));
-    for name in ["balls_s1", "balls_s2", "gears_s1", "rings_s1", "teapot_s1", "tetra_s3", "tree_s2"] {
+    for name in ["balls_s1", "balls_s2", "gears_s1", "mount_s4", "rings_s1", "teapot_s1", "tetra_s3", "tree_s2"] {
         let path = format!("{}/tests/data/nff/{name}.nff", env!("CARGO_MANIFEST_DIR"));
         whit::scene::nff::read(&std::fs::read_to_string(path).unwrap(), &mut buffer).unwrap();
         // The spout and the handle of this coarse teapot are flat: faces with different normals lie in the plane y = 0,

@@ -7,7 +7,8 @@ use whit::SceneBuf;
 use whit::scene::nff;
 
 /// Those of the Standard Procedural Databases in their smaller sizes, in tests/data/nff.
-pub const FILES: [&str; 5] = ["gears_s1.nff", "rings_s1.nff", "teapot_s1.nff", "tetra_s3.nff", "tree_s2.nff"];
+pub const FILES: [&str; 6] =
+    ["gears_s1.nff", "mount_s4.nff", "rings_s1.nff", "teapot_s1.nff", "tetra_s3.nff", "tree_s2.nff"];
 
 /// Room for the largest of them.
 pub type Stored = SceneBuf<f32, 2048, 8>;

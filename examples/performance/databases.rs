@@ -23,7 +23,8 @@ pub fn measure(programs: &Programs, effort: &Effort) -> Result<Section, String> 
     if contests.iter().any(Contest::has_peer) {
         section.line(
             "The backs of opaque surfaces are not there in such a file, which is one comparison more for whit and not to be had \
-             from POV-Ray. Its light gets through the glass of the gears, where in such a file, and by whit, there is a shadow.",
+             from POV-Ray. Its light gets through the glass of the gears and before the mountain, where in such a file, and by whit, there \
+             is a shadow.",
         );
     }
     Ok(section)

@@ -12,7 +12,7 @@ use crate::math::{LANES, Vec3};
 /// that, both rounded up.
 ///
 /// Of more than about 2,000 spheres the compiler says that a constant takes long: `#[allow(long_running_const_eval)]` lets it go
-/// on, for some ten seconds with 7,381.
+/// on, for about twenty seconds with 7,381.
 ///
 /// ```
 /// use whit::scene::{PackedSpheres, Sphere};

@@ -13,10 +13,11 @@ use whit::{Background, Camera, Interface, Light, Material, Medium, Object, Patte
 
 type Big = SceneBuf<f32, 640, 16>;
 
-const FILES: [(&str, &str); 9] = [
+const FILES: [(&str, &str); 10] = [
     ("balls_s1", include_str!("../data/nff/balls_s1.nff")),
     ("balls_s2", include_str!("../data/nff/balls_s2.nff")),
     ("gears_s1", include_str!("../data/nff/gears_s1.nff")),
+    ("mount_s4", include_str!("../data/nff/mount_s4.nff")),
     ("rings_s1", include_str!("../data/nff/rings_s1.nff")),
     ("teapot_s1", include_str!("../data/nff/teapot_s1.nff")),
     ("tetra_s3", include_str!("../data/nff/tetra_s3.nff")),

@@ -166,7 +166,7 @@ test("on a phone all is in reach, and fingers turn and zoom", async () => {
 
 test("scene files are read, by the button and by dropping", async () => {
   await withPage(async (page) => {
-    for (const name of ["balls_s2", "every_entity", "gears_s1", "keyhole", "rings_s1", "teapot_s1", "tetra_s3", "tree_s2"]) {
+    for (const name of ["balls_s2", "every_entity", "gears_s1", "keyhole", "mount_s4", "rings_s1", "teapot_s1", "tetra_s3", "tree_s2"]) {
       const path = `tests/data/nff/${name}.nff`;
       await openFile(page, `${name}.nff`, readFileSync(join(root, path)));
       await page.waitForFunction((name) => scene.selectedOptions[0].text === name, `${name}.nff`);
