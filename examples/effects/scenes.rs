@@ -167,7 +167,7 @@ macro_rules! pairs {
             GRADIENT, SPHERE, "";
             BLINN, SPHERE, "powi";
             PHONG, SPHERE, "powi";
-            BLINN_REAL, SPHERE, "powf";
+            BLINN_REAL, SPHERE, "binary_logarithm";
             TWO_LIGHTS, POINT, "";
             TWO_LIGHTS, SPHERE, "";
             FALLOFF, POINT, "";

@@ -14,6 +14,7 @@ mod lanes;
 mod micromath;
 #[cfg(feature = "micromath")]
 mod operators;
+mod power;
 #[cfg(feature = "fixed")]
 mod q;
 mod range;

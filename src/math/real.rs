@@ -5,6 +5,7 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use super::accumulate::{Accumulate, accumulate_in_place};
 use super::lanes::{self, LANES, Lanes};
+use super::power::power;
 use super::{HAS_FPU, Range, Vec3, exact_product, integer_floor, square_root, trigonometry};
 
 /// A scalar number type.
@@ -65,7 +66,7 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// eˣ
     fn exp(self) -> Self;
-    /// xʸ for `x ≥ 0`.
+    /// xʸ for 0 < `x` ≤ 1 and `y` ≥ 0.
     fn powf(self, y: Self) -> Self;
     /// The largest integer that is not above x.
     fn floor(self) -> Self;
@@ -215,7 +216,7 @@ impl Real for f32 {
     }
     #[inline]
     fn powf(self, y: Self) -> Self {
-        libm::powf(self, y)
+        power(self, y)
     }
     #[inline]
     fn product_error(self, other: Self, product: Self) -> Self {

@@ -63,7 +63,7 @@ pub enum Lobe {
 pub enum Exponent<T> {
     /// An integer, by repeated squaring.
     Integer(u32),
-    /// Any number, by `powf`: several times the work.
+    /// Any number, by its logarithm.
     Real(T),
 }
 
