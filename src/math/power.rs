@@ -1,6 +1,8 @@
 //! Powers of `f32`, in single precision throughout.
 //!
-//! libm's `powf` is right to the last digit, for which it carries twice the digits, in five times the instructions.
+//! libm's `powf` is right to the last digit, for which it carries twice the digits, in several times the instructions.
+
+use core::f32::consts::LN_2;
 
 /// xʸ for 0 < x ≤ 1 and y ≥ 0: 1ʸ and x⁰ are 1. The relative error is at most 3 roundings, and 3 more for each factor of 2 that
 /// the power is below 1. What is below 2⁻¹²⁶ is 0 as a power, and counts as about 2⁻¹²⁷ as x.
@@ -21,7 +23,7 @@ fn binary_logarithm(x: f32) -> f32 {
     let m = f32::from_bits((bits - (k << 23)).cast_unsigned());
     let s = (m - 1.0) / (m + 1.0);
     let z = s * s;
-    k as f32 + s * (2.885_390_1 + z * (0.961_798_84 + z * (0.576_715_2 + z * 0.431_717_7)))
+    k as f32 + s * (2.885_39 + z * (0.961_798_84 + z * (0.576_715_2 + z * 0.431_717_7)))
 }
 
 /// 2ˣ for x ≤ 0: 2ⁿ·2ᶠ with |f| ≤ ½, the latter by the polynomial that meets it at 0 and, less 1 and by f, at Chebyshev's points,
@@ -34,7 +36,7 @@ fn power_of_two(x: f32) -> f32 {
     let n = (x - 0.5) as i32;
     let f = x - n as f32;
     let slope = 0.055_503_57 + f * (0.009_618_083 + f * (0.001_339_086_3 + f * 0.000_154_531_63));
-    let fraction = 1.0 + f * (0.693_147_2 + f * (0.240_226_5 + f * slope));
+    let fraction = 1.0 + f * (LN_2 + f * (0.240_226_5 + f * slope));
     fraction * f32::from_bits(((n + 127) << 23).cast_unsigned())
 }
 
