@@ -10,27 +10,28 @@ pub(super) const fn sort_into_neighbours<const N: usize>(spheres: &[Sphere<f32>;
     let (mut first, mut ends, mut depth) = (0, [N; usize::BITS as usize + 1], 1);
     while depth > 0 {
         let end = ends[depth - 1];
-        if end - first <= LANES {
+        let count = end - first;
+        if count <= LANES {
             (first, depth) = (end, depth - 1);
             continue;
         }
-        let axis = longest_side(&sorted, first, end);
-        sort(&mut sorted, &mut spare, first, end, axis);
-        ends[depth] = first + (end - first).div_ceil(LANES).div_ceil(2) * LANES;
+        let part = sorted.split_at_mut(first).1.split_at_mut(count).0;
+        sort(part, spare.split_at_mut(count).0, longest_side(part));
+        ends[depth] = first + count.div_ceil(LANES).div_ceil(2) * LANES;
         depth += 1;
     }
     sorted
 }
 
-/// The axis along which the centres from `first` to before `end` are spread most.
+/// The axis along which the centres are spread most.
 #[allow(clippy::indexing_slicing)] // In range by the loops' conditions.
-const fn longest_side(spheres: &[Sphere<f32>], first: usize, end: usize) -> u8 {
+const fn longest_side(spheres: &[Sphere<f32>]) -> u8 {
     let (mut best, mut widest) = (0, -1.0);
     let mut axis = 0;
     while axis < 3 {
         let (mut low, mut high) = (f32::MAX, f32::MIN);
-        let mut i = first;
-        while i < end {
+        let mut i = 0;
+        while i < spheres.len() {
             low = low.min(coordinate(spheres[i].center, axis));
             high = high.max(coordinate(spheres[i].center, axis));
             i += 1;
@@ -43,18 +44,18 @@ const fn longest_side(spheres: &[Sphere<f32>], first: usize, end: usize) -> u8 {
     best
 }
 
-/// Sorts the spheres from `first` to before `end` by a coordinate of their centres, equal ones in their order: runs of one are
-/// merged to runs of two, these to runs of four, and so on. `spare` is memory for the runs.
-const fn sort(spheres: &mut [Sphere<f32>], spare: &mut [Sphere<f32>], first: usize, end: usize, axis: u8) {
-    let mut run = 1;
-    while run < end - first {
-        let mut start = first;
+/// Sorts spheres by a coordinate of their centres, equal ones in their order: runs of one are merged to runs of two, these to
+/// runs of four, and so on. `spare` is memory for as many.
+const fn sort(spheres: &mut [Sphere<f32>], spare: &mut [Sphere<f32>], axis: u8) {
+    let (end, mut run) = (spheres.len(), 1);
+    while run < end {
+        let mut start = 0;
         while start < end {
             let (middle, stop) = (min(start + run, end), min(start + 2 * run, end));
             merge(spheres, spare, [start, middle, stop], axis);
             start = stop;
         }
-        copy(spare, spheres, first, end);
+        spheres.copy_from_slice(spare);
         run *= 2;
     }
 }
@@ -69,16 +70,6 @@ const fn merge(spheres: &[Sphere<f32>], merged: &mut [Sphere<f32>], [start, midd
         let from = if is_right_first { &mut right } else { &mut left };
         merged[place] = spheres[*from];
         (*from, place) = (*from + 1, place + 1);
-    }
-}
-
-/// Copies the spheres from `first` to before `end`.
-#[allow(clippy::indexing_slicing)] // In range by the loop's condition.
-const fn copy(from: &[Sphere<f32>], to: &mut [Sphere<f32>], first: usize, end: usize) {
-    let mut i = first;
-    while i < end {
-        to[i] = from[i];
-        i += 1;
     }
 }
 
@@ -107,7 +98,7 @@ mod tests {
         spheres.iter_mut().for_each(|s| s.center.x = (s.center.x * 4.0).round());
         for (axis, first, end) in [(0, 0, 91), (1, 3, 90), (2, 5, 6), (0, 40, 40), (0, 11, 28)] {
             let (mut sorted, mut spare, mut expected) = (spheres, spheres, spheres);
-            sort(&mut sorted, &mut spare, first, end, axis);
+            sort(&mut sorted[first..end], &mut spare[first..end], axis);
             let coordinate = |s: &Sphere<f32>| coordinate(s.center, axis);
             let by = |a: &_, b: &_| coordinate(a).partial_cmp(&coordinate(b)).unwrap();
             expected[first..end].sort_by(by);

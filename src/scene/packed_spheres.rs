@@ -11,8 +11,7 @@ use crate::math::{LANES, Vec3};
 /// `BOUNDS` and `CLUSTERS` follow from the number of spheres: `CLUSTERS` is an eighth of it and `BOUNDS` an eighth of
 /// that, both rounded up.
 ///
-/// Of more than about 2,000 spheres the compiler says that a constant takes long: `#[allow(long_running_const_eval)]` lets it go
-/// on, for about twenty seconds with 7,381.
+/// Of thousands of spheres the compiler says that a constant takes long; `#[allow(long_running_const_eval)]` lets it go on.
 ///
 /// ```
 /// use whit::scene::{PackedSpheres, Sphere};
