@@ -2,6 +2,7 @@
 
 mod accumulate;
 mod complex;
+mod constant_root;
 mod exact_product;
 #[cfg(feature = "micromath")]
 mod fast;
@@ -27,6 +28,7 @@ mod vec3;
 
 pub use accumulate::Accumulate;
 pub use complex::Complex;
+pub(crate) use constant_root::square_root_constant;
 #[cfg(feature = "micromath")]
 pub use fast::Fast;
 pub(crate) use lanes::{HAS_VECTORS, LANES, Lanes};

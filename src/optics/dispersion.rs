@@ -3,7 +3,7 @@
 //! The formulas are for constants: all is in `f64` and can be evaluated by the compiler.
 
 use super::WAVELENGTHS;
-use crate::math::Rgb;
+use crate::math::{Rgb, square_root_constant};
 
 /// Cauchy's formula n = A + B/λ² + C/λ⁴ with λ in micrometres (Cauchy 1836), for transparent media in visible light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +54,7 @@ impl Sellmeier {
         let square = square_of_micrometres(wavelength_nm);
         let [b1, b2, b3] = self.b;
         let [c1, c2, c3] = self.c;
-        square_root(1.0 + square * (b1 / (square - c1) + b2 / (square - c2) + b3 / (square - c3)))
+        square_root_constant(1.0 + square * (b1 / (square - c1) + b2 / (square - c2) + b3 / (square - c3)))
     }
 
     /// The indices of refraction at the wavelengths of the three channels: 611.4, 549.1 and 464.2 nm.
@@ -71,24 +71,6 @@ impl Sellmeier {
 const fn square_of_micrometres(nanometres: f64) -> f64 {
     let micrometres = nanometres / 1000.0;
     micrometres * micrometres
-}
-
-/// Newton's method from above, where it falls until rounding stops it; zero for what has no real root.
-///
-/// [`Real::sqrt`](crate::math::Real::sqrt) is an instruction, which the compiler cannot evaluate.
-const fn square_root(x: f64) -> f64 {
-    if x.is_nan() || x <= 0.0 {
-        return 0.0;
-    }
-    let mut root = if x > 1.0 { x } else { 1.0 };
-    loop {
-        let next = 0.5 * (root + x / root);
-        if next < root {
-            root = next;
-        } else {
-            return root;
-        }
-    }
 }
 
 #[cfg(test)]
@@ -142,16 +124,6 @@ mod tests {
         assert!((CHANNELS.r - 1.515_86).abs() < 1e-5);
         assert!((CHANNELS.g - 1.518_57).abs() < 1e-5);
         assert!((CHANNELS.b - 1.524_08).abs() < 1e-5);
-    }
-
-    /// The standard library's root is correctly rounded.
-    #[test]
-    fn root_is_within_a_rounding_of_the_exact_one() {
-        for i in 1..100_000 {
-            let x = f64::from(i) * 1e-3;
-            assert!((square_root(x) - x.sqrt()).abs() <= x.sqrt() * f64::EPSILON, "{x}");
-        }
-        assert_eq!(square_root(f64::INFINITY), f64::INFINITY);
     }
 
     #[test]
