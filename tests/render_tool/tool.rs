@@ -4,11 +4,13 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
-/// The tool, built if it is not there yet.
+/// The tool, of the profile of the test, built if it is not there yet.
 pub fn tool() -> &'static Path {
     static TOOL: OnceLock<PathBuf> = OnceLock::new();
     TOOL.get_or_init(|| {
-        let built = Command::new(env!("CARGO")).args(["build", "--example", "render"]).status().unwrap();
+        let profile = if cfg!(debug_assertions) { "dev" } else { "release" };
+        let arguments = ["build", "--example", "render", "--profile", profile];
+        let built = Command::new(env!("CARGO")).args(arguments).status().unwrap();
         assert!(built.success());
         let test = std::env::current_exe().unwrap();
         test.ancestors().nth(2).unwrap().join("examples/render")
