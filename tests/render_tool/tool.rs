@@ -4,16 +4,18 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
-/// The tool, of the profile of the test, built if it is not there yet.
+/// The tool, built in the profile of the test if it is not there yet.
 pub fn tool() -> &'static Path {
     static TOOL: OnceLock<PathBuf> = OnceLock::new();
     TOOL.get_or_init(|| {
-        let profile = if cfg!(debug_assertions) { "dev" } else { "release" };
-        let arguments = ["build", "--example", "render", "--profile", profile];
-        let built = Command::new(env!("CARGO")).args(arguments).status().unwrap();
-        assert!(built.success());
         let test = std::env::current_exe().unwrap();
-        test.ancestors().nth(2).unwrap().join("examples/render")
+        let folder = test.ancestors().nth(2).unwrap();
+        // The profile `dev` is the only one whose folder has another name.
+        let profile = if folder.ends_with("debug") { "dev".as_ref() } else { folder.file_name().unwrap() };
+        let arguments = ["build", "--example", "render", "--profile"];
+        let built = Command::new(env!("CARGO")).args(arguments).arg(profile).status().unwrap();
+        assert!(built.success());
+        folder.join("examples/render")
     })
 }
 
